@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// In steady state no report allocates: fixes, trackers and fusion work in memory of their own.
+#include "estimation/fusion/vehicle_fusion.h"
+#include "estimation/uwb/range_ekf.h"
+#include "estimation/uwb/range_particle_filter.h"
+#include "estimation/uwb/robust_fix.h"
+#include "estimation/uwb/uwb_vectors.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+
+std::atomic<long> allocations{0};
+
+} // namespace
+
+void* operator new(std::size_t size)
+{
+    ++allocations;
+    if (void* memory = std::malloc(size == 0 ? 1 : size))
+        return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace agv::estimation {
+namespace {
+
+template<typename Work>
+long allocationsOf(Work work)
+{
+    const long before = allocations;
+    for (int k = 0; k < 100; ++k)
+        work();
+    return allocations - before;
+}
+
+TEST(Allocations, AreNotMadeByReports)
+{
+    const auto ranges = rangesFrom(thesisAnchors(), exactRanges(thesisAnchors(), {1.5, 1.0, 0.3}), 0.05);
+    EXPECT_EQ(allocationsOf([&] { fixFromRanges(ranges, {.side = TagSide::Either}); }), 0);
+    EXPECT_EQ(allocationsOf([&] { robustFix(ranges, {.height = TagHeight{0.3}}); }), 0);
+    RangeEkf ekf({.height_m = 0.3, .obstruction = {}});
+    ASSERT_TRUE(ekf.start(ranges));
+    EXPECT_EQ(allocationsOf([&] {
+                  ekf.predict(0.1);
+                  ekf.update(ranges);
+              }),
+              0);
+    RangeParticleFilter particles({.particles = 100, .height_m = 0.3});
+    ASSERT_TRUE(particles.start(ranges));
+    EXPECT_EQ(allocationsOf([&] {
+                  particles.predict(0.1);
+                  particles.update(ranges);
+              }),
+              0);
+    VehicleFusion fusion;
+    fusion.start(Pose2{{1.5, 1.0}, 0.0});
+    EXPECT_EQ(allocationsOf([&] {
+                  fusion.predict({0.01, 0.0, 0.01}, 0.1);
+                  fusion.update(ranges);
+                  fusion.updateFloorTag({1.5, 1.0});
+              }),
+              0);
+}
+
+} // namespace
+} // namespace agv::estimation
