@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "session/session.h"
+
+#include "estimation/turn_solver.h"
+#include "link/robot_server.h"
+#include "link/stranger_watch.h"
+#include "link/telemetry_socket.h"
+#include "session/agv_line.h"
+#include "session/event_log.h"
+#include "session/robot_link.h"
+#include "session/wall_clock.h"
+
+#include <QTimer>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace agv::session {
+namespace {
+
+constexpr std::chrono::milliseconds frame(33);                 ///< 30 snapshots per second at most
+constexpr Duration idleFrame = std::chrono::milliseconds(200); ///< ages and rates change without events
+constexpr std::size_t refusedPeersKept = 16;
+constexpr std::chrono::seconds listenAgainAfter(2); ///< whoever holds the port may end
+
+SolveFunction solverFor(const PlantLayout& plant, const AgvConfig& agv, std::uint64_t seed)
+{
+    return [context = estimation::contextFor(plant, agv), seed](const TurnRecord& record, SolveMethod method,
+                                                                std::stop_token stop) {
+        return estimation::solveTurn(record, context, {method, seed, std::move(stop)});
+    };
+}
+
+} // namespace
+
+class Session::Private {
+public:
+    Private(Session& owner, PlantLayout layout, SessionOptions sessionOptions);
+
+    void addLine(const AgvConfig& config);
+    void wireServer();
+    void listen();
+    void listenFailed(const std::string& trouble);
+    void refuse(const QString& address, const char* what);
+    void publish();
+    AgvLine* line(int robot);
+    void log(EventLevel level, const std::string& text)
+    {
+        events.add(level, "Console", text, monotonicNow());
+    }
+
+    Session& q;
+    PlantLayout plant;
+    SessionOptions options;
+    EventLog events;
+    link::RobotServer* server;
+    link::TelemetrySocket* telemetry;
+    QTimer* frameTimer;
+    QTimer* listenTimer;
+    link::StrangerWatch telemetryStrangers;
+    std::map<int, AgvLine*> lines; ///< owned (QObject children of the session)
+    std::vector<std::string> refusedPeers;
+    std::string listening = "Not listening yet";
+    bool changed = true;
+    Time published;
+};
+
+Session::Private::Private(Session& owner, PlantLayout layout, SessionOptions sessionOptions)
+    : q(owner),
+      plant(std::move(layout)),
+      options(sessionOptions),
+      events([this](const EventEntry& entry) { emit q.eventLogged(entry); }),
+      server(new link::RobotServer(plant.agvs, options.guard, &owner)),
+      telemetry(new link::TelemetrySocket(&owner)),
+      frameTimer(new QTimer(&owner)),
+      listenTimer(new QTimer(&owner))
+{
+    for (const AgvConfig& agv : plant.agvs)
+        addLine(agv);
+    wireServer();
+    frameTimer->setTimerType(Qt::PreciseTimer);
+    frameTimer->setInterval(frame);
+    QObject::connect(frameTimer, &QTimer::timeout, &owner, [this] {
+        if (changed || monotonicNow() - published >= idleFrame)
+            publish();
+    });
+    listenTimer->setSingleShot(true);
+    listenTimer->setInterval(listenAgainAfter);
+    QObject::connect(listenTimer, &QTimer::timeout, &owner, [this] { listen(); });
+}
+
+void Session::Private::addLine(const AgvConfig& config)
+{
+    const int robot = config.id.number;
+    auto* agv = new AgvLine(config, *server, solverFor(plant, config, options.solverSeed), options.method,
+                            events, &q);
+    lines.emplace(robot, agv);
+    QObject::connect(agv, &AgvLine::changed, &q, [this] { changed = true; });
+    QObject::connect(agv, &AgvLine::bytesReceived, &q, [this, robot](const link::Chunk& chunk) {
+        emit q.readerBytes(robot, chunk.bytes, chunk.time);
+    });
+    QObject::connect(agv, &AgvLine::turnPhaseChanged, &q,
+                     [this, robot](TurnPhase phase, int stop, Time time) {
+                         emit q.turnPhaseChanged(robot, phase, stop, time);
+                     });
+    QObject::connect(agv, &AgvLine::turnRefused, &q,
+                     [this, robot](const QString& reason) { emit q.turnRefused(robot, reason); });
+    QObject::connect(
+        agv, &AgvLine::turnEnded, &q,
+        [this, robot](const TurnSnapshot& turn, const std::shared_ptr<const TurnRecord>& record) {
+            emit q.turnEnded(robot, turn, record);
+        });
+}
+
+void Session::Private::wireServer()
+{
+    QObject::connect(server, &link::RobotServer::robotConnected, &q,
+                     [this](int robot, const QString& peer, bool replaced) {
+                         line(robot)->onRobotConnected(peer, replaced);
+                     });
+    QObject::connect(server, &link::RobotServer::robotLost, &q,
+                     [this](int robot, const QString& reason) { line(robot)->onRobotLost(reason); });
+    QObject::connect(server, &link::RobotServer::robotReceived, &q,
+                     [this](int robot, const link::Chunk& chunk) {
+                         line(robot)->robot().onReceived(chunk);
+                         changed = true;
+                     });
+    QObject::connect(telemetry, &link::TelemetrySocket::received, &q,
+                     [this](const QHostAddress& sender, const link::Chunk& datagram) {
+                         if (const std::optional<int> robot = server->robotAt(sender)) {
+                             line(*robot)->robot().onDatagram(datagram);
+                             changed = true;
+                         } else if (telemetryStrangers.isNews(sender.toString(), datagram.time)) {
+                             refuse(sender.toString(),
+                                    "sent telemetry that was ignored: the plant file has no robot with that "
+                                    "address, or more than one");
+                         }
+                     });
+    QObject::connect(server, &link::RobotServer::peerRefused, &q, [this](const QString& address) {
+        refuse(address, "tried to connect as a robot and was refused: it is not in the plant file");
+    });
+}
+
+void Session::Private::refuse(const QString& address, const char* what)
+{
+    const std::string peer = address.toStdString();
+    log(EventLevel::Warning, peer + " " + what);
+    std::erase(refusedPeers, peer);
+    refusedPeers.push_back(peer);
+    if (refusedPeers.size() > refusedPeersKept)
+        refusedPeers.erase(refusedPeers.begin());
+    changed = true;
+}
+
+/// Opens what is not open yet. While something is missing it is tried again, but said only when it changes.
+void Session::Private::listen()
+{
+    const auto troubleOf = [](const Result<void>& result) {
+        return result ? std::string() : result.error().detail;
+    };
+    const bool isNew = server->port() == 0;
+    const std::string trouble = isNew ? troubleOf(server->listen(plant.robotListen)) : std::string();
+    const Endpoint telemetryEndpoint{plant.robotListen.host, plant.telemetryPort};
+    const std::string telemetryTrouble = trouble.empty() && telemetry->port() == 0
+                                             ? troubleOf(telemetry->listen(telemetryEndpoint))
+                                             : std::string();
+    if (!trouble.empty() || !telemetryTrouble.empty())
+        listenTimer->start();
+    if (!trouble.empty())
+        return listenFailed(trouble);
+    const std::string before =
+        std::exchange(listening, plant.robotListen.host + ":" + std::to_string(server->port()) + " (TCP), " +
+                                     (telemetry->port() != 0 ? std::to_string(telemetry->port()) + " (UDP)"
+                                                             : "no telemetry"));
+    if (listening == before)
+        return;
+    changed = true;
+    // Robots can be driven without telemetry; the battery is shown from the TCP link then.
+    if (!telemetryTrouble.empty())
+        log(EventLevel::Error, telemetryTrouble);
+    log(EventLevel::Info, "Listening for robots on " + listening);
+    for (const auto& [robot, agv] : lines)
+        agv->robot().setServerTrouble({});
+    if (isNew)
+        emit q.listening(server->port(), telemetry->port());
+}
+
+void Session::Private::listenFailed(const std::string& trouble)
+{
+    const std::string before = std::exchange(listening, "Not listening: " + trouble);
+    if (listening == before)
+        return;
+    changed = true;
+    log(EventLevel::Error, trouble);
+    for (const auto& [robot, agv] : lines)
+        agv->robot().setServerTrouble(trouble);
+    emit q.listenFailed(QString::fromStdString(trouble));
+}
+
+void Session::Private::publish()
+{
+    changed = false;
+    published = monotonicNow();
+    PlantSnapshot snapshot;
+    snapshot.time = published;
+    snapshot.refusedPeers = refusedPeers;
+    snapshot.listening = listening;
+    snapshot.simulated = options.simulated;
+    snapshot.agvs.reserve(lines.size());
+    for (const AgvConfig& agv : plant.agvs)
+        snapshot.agvs.push_back(lines.at(agv.id.number)->snapshot(published));
+    emit q.snapshotReady(snapshot);
+}
+
+AgvLine* Session::Private::line(int robot)
+{
+    const auto found = lines.find(robot);
+    if (found != lines.end())
+        return found->second;
+    log(EventLevel::Warning, "There is no AGV " + std::to_string(robot) + " in the plant file");
+    return nullptr;
+}
+
+Session::Session(PlantLayout plant, SessionOptions options, QObject* parent)
+    : QObject(parent),
+      d(std::make_unique<Private>(*this, std::move(plant), options))
+{}
+
+Session::~Session()
+{
+    for (const auto& [robot, agv] : d->lines)
+        agv->stopNow("The console ends");
+    // The lines use the server and the log; they go first.
+    for (const auto& [robot, agv] : d->lines)
+        delete agv;
+    d->lines.clear();
+    delete d->server;
+}
+
+void Session::start()
+{
+    d->listen();
+    d->frameTimer->start();
+    d->publish();
+}
+
+void Session::openReader(int robot)
+{
+    if (AgvLine* line = d->line(robot))
+        line->openReader();
+}
+
+void Session::closeReader(int robot)
+{
+    if (AgvLine* line = d->line(robot))
+        line->closeReader();
+}
+
+void Session::setReaderEndpoint(int robot, const QString& host, quint16 port)
+{
+    if (AgvLine* line = d->line(robot))
+        line->setReaderEndpoint({host.toStdString(), port});
+}
+
+void Session::startTurn(int robot, const TurnParameters& parameters)
+{
+    if (AgvLine* line = d->line(robot))
+        line->startTurn(parameters);
+}
+
+void Session::abortTurn(int robot, const QString& reason)
+{
+    if (AgvLine* line = d->line(robot))
+        line->abortTurn(reason.toStdString());
+}
+
+void Session::retakeStop(int robot, int stop)
+{
+    if (AgvLine* line = d->line(robot))
+        line->retakeStop(stop);
+}
+
+void Session::setTurnTime(int robot, double seconds)
+{
+    if (AgvLine* line = d->line(robot))
+        line->setTurnTime(seconds);
+}
+
+void Session::setTurnSpeed(int robot, double metresPerSecond)
+{
+    if (AgvLine* line = d->line(robot))
+        line->setTurnSpeed(metresPerSecond);
+}
+
+void Session::warn(const QString& text) { d->log(EventLevel::Warning, text.toStdString()); }
+
+void Session::stopAll(const QString& reason)
+{
+    d->log(EventLevel::Warning, "All AGVs were told to stop: " + reason.toStdString());
+    for (const auto& [robot, line] : d->lines)
+        line->stop(reason.toStdString());
+}
+
+} // namespace agv::session
