@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the map says about the thing under the pointer.
+#include "gui/map/map_widget.h"
+
+#include "model/words.h"
+
+#include <algorithm>
+
+namespace agv::gui {
+
+using model::Words;
+
+namespace {
+
+constexpr double reach_px = 9.0;
+
+double pixelsApart(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
+
+} // namespace
+
+const AgvSnapshot* MapWidget::agvAt(QPointF pixel) const
+{
+    for (const AgvSnapshot& agv : m_snapshot.agvs) {
+        const AgvConfig* config = m_plant.findAgv(agv.id);
+        const std::optional<Pose2> pose = drawnPose(agv.id.number);
+        if (config && pose && distance(m_viewport.toPlant(pixel), pose->position) <= config->radius_m)
+            return &agv;
+    }
+    return nullptr;
+}
+
+QString MapWidget::detailsAt(QPointF pixel) const
+{
+    if (const QString stop = stopDetails(pixel); !stop.isEmpty())
+        return stop;
+    if (const QString tag = tagDetails(pixel); !tag.isEmpty() && !agvAt(pixel))
+        return tag;
+    if (const AgvSnapshot* agv = agvAt(pixel))
+        return agvDetails(*agv);
+    return stationDetails(pixel);
+}
+
+QString MapWidget::agvDetails(const AgvSnapshot& agv) const
+{
+    const std::optional<Pose2> pose = drawnPose(agv.id.number);
+    QStringList lines{agv.name.empty() ? tr("AGV %1").arg(agv.id.number) : QString::fromStdString(agv.name)};
+    if (pose) {
+        lines << tr("x %1, y %2, facing %3")
+                     .arg(Words::millimetres(pose->position.x), Words::millimetres(pose->position.y),
+                          Words::degrees(pose->heading, 1));
+    }
+    lines << Words::robotState(isConnected(agv.robotLink), agv.robotState);
+    if (agv.battery)
+        lines << tr("Battery %1").arg(Words::volts(agv.battery->voltage_V));
+    if (agv.mayBeMoving)
+        lines << tr("May be moving: the connection was lost while the wheels were turning.");
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString MapWidget::stopDetails(QPointF pixel) const
+{
+    for (const AgvSnapshot& agv : m_snapshot.agvs) {
+        const auto& estimate = agv.turn.result ? agv.turn.result : agv.turn.preview;
+        if (!estimate || !estimate->valid)
+            continue;
+        for (std::size_t i = 0; i < estimate->stops.size(); ++i) {
+            const StopReport& stop = estimate->stops[i];
+            if (pixelsApart(m_viewport.toPixels(stop.antenna), pixel) > reach_px)
+                continue;
+            return tr("AGV %1, stop %2: antenna at x %3, y %4\nTags expected %5, seen %6, missed %7, unknown "
+                      "%8")
+                .arg(agv.id.number)
+                .arg(i + 1)
+                .arg(Words::millimetres(stop.antenna.x), Words::millimetres(stop.antenna.y))
+                .arg(stop.expected.size())
+                .arg(stop.seen.size())
+                .arg(stop.missed.size())
+                .arg(stop.unknown.size() + stop.misplaced.size());
+        }
+    }
+    return {};
+}
+
+QString MapWidget::tagDetails(QPointF pixel) const
+{
+    const FloorTag* nearest = nullptr;
+    double best = std::max(reach_px, m_viewport.toPixels(m_plant.tagRadius_m));
+    for (const FloorTag& tag : m_plant.floorTags) {
+        const double apart = pixelsApart(m_viewport.toPixels(tag.position), pixel);
+        if (apart <= best) {
+            best = apart;
+            nearest = &tag;
+        }
+    }
+    if (!nearest)
+        return {};
+    return tr("Floor tag %1 (%2)\n%3\nx %4, y %5")
+        .arg(nearest->number)
+        .arg(QString::fromStdString(shortText(nearest->uid)), QString::fromStdString(fullText(nearest->uid)),
+             Words::millimetres(nearest->position.x), Words::millimetres(nearest->position.y));
+}
+
+QString MapWidget::stationDetails(QPointF pixel) const
+{
+    const Point2 p = m_viewport.toPlant(pixel);
+    for (const Station& station : m_plant.stations) {
+        const Point2 offset = p - station.pose.position;
+        const double c = std::cos(station.pose.heading);
+        const double s = std::sin(station.pose.heading);
+        if (std::abs(c * offset.x + s * offset.y) > 0.5 * station.width_m ||
+            std::abs(-s * offset.x + c * offset.y) > 0.5 * station.depth_m)
+            continue;
+        return tr("Station %1\nx %2, y %3")
+            .arg(QString::fromStdString(station.name), Words::millimetres(station.pose.position.x),
+                 Words::millimetres(station.pose.position.y));
+    }
+    return {};
+}
+
+} // namespace agv::gui

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/link_table_model.h"
+
+#include "model/messages.h"
+#include "model/words.h"
+
+#include <QLocale>
+
+#include <algorithm>
+
+namespace agv::model {
+namespace {
+
+const QString noValue = QStringLiteral("–");
+
+} // namespace
+
+LinkTableModel::LinkTableModel(QObject* parent) : QAbstractTableModel(parent) {}
+
+std::vector<LinkTableModel::Row> LinkTableModel::rowsOf(const PlantSnapshot& snapshot)
+{
+    std::vector<Row> rows;
+    rows.reserve(snapshot.agvs.size() * 2);
+    for (const AgvSnapshot& agv : snapshot.agvs) {
+        rows.push_back({agv.id.number, true, agv.readerLink});
+        rows.push_back({agv.id.number, false, agv.robotLink});
+    }
+    return rows;
+}
+
+void LinkTableModel::setSnapshot(const PlantSnapshot& snapshot)
+{
+    std::vector<Row> rows = rowsOf(snapshot);
+    if (rows.size() != m_rows.size()) {
+        beginResetModel();
+        m_rows = std::move(rows);
+        endResetModel();
+        return;
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i] == m_rows[i])
+            continue;
+        m_rows[i] = std::move(rows[i]);
+        const int row = static_cast<int>(i);
+        emit dataChanged(index(row, 0), index(row, ColumnCount - 1));
+    }
+}
+
+int LinkTableModel::countIn(LinkState state) const
+{
+    return static_cast<int>(std::count_if(m_rows.begin(), m_rows.end(),
+                                          [state](const Row& row) { return row.link.state == state; }));
+}
+
+int LinkTableModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int LinkTableModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QString LinkTableModel::text(const Row& row, int column)
+{
+    const LinkSnapshot& link = row.link;
+    switch (column) {
+    case Connection:
+        return row.isReader ? tr("AGV %1 RFID").arg(row.robot) : tr("AGV %1 robot").arg(row.robot);
+    case State:
+        return Words::linkState(link.state);
+    case Data:
+        return link.state == LinkState::Up ? Words::rate(link.messagesPerSecond) : noValue;
+    case Dropped:
+        return QLocale().toString(static_cast<qulonglong>(link.dropped));
+    default:
+        return {};
+    }
+}
+
+QString LinkTableModel::detail(const Row& row, int column)
+{
+    if (column == Connection)
+        return QString::fromStdString(row.link.address);
+    if (column == Data && row.link.dataAge_s)
+        return tr("%1 ago", "age of the last message").arg(Words::age(*row.link.dataAge_s));
+    if (column == State && row.link.state == LinkState::Waiting && row.link.retryIn_s)
+        return tr("in %1", "time until the next try").arg(Words::age(*row.link.retryIn_s));
+    return {};
+}
+
+QString LinkTableModel::toolTip(const Row& row)
+{
+    const LinkSnapshot& link = row.link;
+    QStringList lines{Messages::source(link.name) + QStringLiteral(": ") + Words::linkState(link.state)};
+    if (!link.address.empty())
+        lines << tr("Address: %1").arg(QString::fromStdString(link.address));
+    if (!link.reason.empty())
+        lines << Messages::sentence(link.reason);
+    lines << tr("Received: %1 messages").arg(QLocale().toString(static_cast<qulonglong>(link.received)));
+    lines << (link.dropDetail.empty() ? tr("Dropped: none")
+                                      : tr("Dropped: %1").arg(Messages::drops(link.dropDetail)));
+    return lines.join(QLatin1Char('\n'));
+}
+
+QVariant LinkTableModel::data(const QModelIndex& index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const Row& row = m_rows[static_cast<std::size_t>(index.row())];
+    switch (role) {
+    case Qt::DisplayRole:
+        return text(row, index.column());
+    case Qt::ToolTipRole:
+    case Qt::AccessibleDescriptionRole:
+        return toolTip(row);
+    case Qt::TextAlignmentRole:
+        return QVariant::fromValue(Qt::Alignment(index.column() >= Data ? Qt::AlignRight | Qt::AlignVCenter
+                                                                        : Qt::AlignLeft | Qt::AlignVCenter));
+    case RobotRole:
+        return row.robot;
+    case IsReaderRole:
+        return row.isReader;
+    case LinkStateRole:
+        return static_cast<int>(row.link.state);
+    case DetailRole:
+        return detail(row, index.column());
+    default:
+        return {};
+    }
+}
+
+QVariant LinkTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal)
+        return {};
+    if (role == Qt::TextAlignmentRole)
+        return QVariant::fromValue(Qt::Alignment(section >= Data ? Qt::AlignRight | Qt::AlignVCenter
+                                                                 : Qt::AlignLeft | Qt::AlignVCenter));
+    if (role == Qt::ToolTipRole && section == Data)
+        return tr("Messages per second, and the age of the last one");
+    if (role == Qt::ToolTipRole && section == Dropped)
+        return tr("Messages that could not be used; hover a row for the reasons");
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case Connection:
+        return tr("Connection");
+    case State:
+        return tr("State");
+    case Data:
+        return tr("Rate, age");
+    case Dropped:
+        return tr("Dropped");
+    default:
+        return {};
+    }
+}
+
+} // namespace agv::model

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/messages.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <optional>
+
+namespace agv::model {
+namespace {
+
+const char* const context = "agv::model::Messages";
+
+// A more special pattern stands before a more general one that matches the same text.
+const char* const patterns[] = {
+    // session
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Listening for robots on %1 (TCP), %2 (UDP)"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Listening for robots on %1 (TCP), no telemetry"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 (TCP), no telemetry"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Not listening yet"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Not listening: %1"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "All AGVs were told to stop: %1"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Stop all was pressed"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The operator aborted it"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The console ends"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "%1 tried to connect as a robot and was refused: it is not in the plant file"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "%1 sent telemetry that was ignored: the plant file has no robot with that address, or "
+                      "more than one"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "There is no AGV %1 in the plant file"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The initialisation turn was not started: %1"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Initialisation turn started"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "a turn is running"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "the robot is not connected"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "the RFID reader is not connected"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "the robot is docked: undock it first"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "the robot is in error: look at the robot, then switch it off and on"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "there is no finished turn"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Stop %1 is not read again: %2"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The sleeptime was not changed: %1"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The wheel speed was not changed: %1"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "The robot connected a second time from %1; its older connection was closed"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "the robot connected anew, it may have restarted"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The robot connected from %1"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "THE ROBOT MAY STILL BE MOVING: its link was lost while it drove. Use its own switch. (%1)"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The link to the robot was lost: %1"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The link to the RFID reader was lost: %1"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "it was closed"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "a command could not be sent"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Connected"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Closed"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 more messages were left out"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The robot is docking"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The robot is docking to charge"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The robot is docked"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The robot is undocking"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The robot is idle"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The robot is driving"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The robot is driving a segment"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The robot is waiting for a segment"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "The robot is in error: look at the robot, then switch it off and on"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The robot's program failed at %1, line %2"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Connected, but nothing heard for 5 s"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Waiting for the robot to connect: switch it on"),
+    // procedure
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Stop %1 is read again"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "No floor tag was read for %1 s: check the RFID reader and that the AGV stands on tags"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "No floor tag was read at stop %1"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "The robot did not report the end of its turn in time: check that its wheels are free"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The solver gave no answer"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "The robot reports an error: look at the robot, then switch it off and on"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The robot is docking or docked: undock it first"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "The robot stopped in the middle of a turn: look for what it bumped into"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "The robot was stopped %1 ms late: this computer was busy, the step is about %2 degrees "
+        "too long"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Number of stops is %1: it must be 8, 12 or 16"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 is %2: it must lie between %3 and %4"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Wheel speed"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Settling time"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Shortest dwell"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Longest dwell"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "Connected again, but still nothing is heard: no floor tag below the antenna, or the "
+                      "reader has no power"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "No answer within %1 s: check the address and that the device has power and Wi-Fi"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "Connected, but nothing heard for %1 s: no floor tag below the antenna, or the link is "
+                      "dead"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Nothing heard for %1 s: the connection is being made anew"),
+    // link
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "%1 refuses the connection: the device is on, but nothing listens on that port; check "
+                      "the port"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "%1 closed the connection: it was switched off, restarted or serves other clients "
+                      "already"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 closed the connection: it was switched off or restarted"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "The host \"%1\" is not known: check the name in the plant file"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 no longer answers: check its power and its Wi-Fi"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "%1 does not answer: check the address, its power and its Wi-Fi"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "%1 cannot be reached (%2): check the cable, the Wi-Fi and the address"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The system forbids a connection to %1: check the firewall"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Connection to %1 failed: %2"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "%1 is in use: another console or program holds it; end that program or change the port "
+        "in the plant file"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "%1 is forbidden by the system: ports below 1024 need administrator rights; choose a "
+                      "higher port in the plant file"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "%1 does not exist: this computer has no network interface with that address; check the "
+        "listen address in the plant file"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 cannot be opened: %2"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 port %2 on %3"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "\"%1\" is not an address: the listen address of the plant file must be one of this "
+                      "computer, such as 127.0.0.1"),
+    // app
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Sleeptime %1 ms is written to %2; there it was %3 ms"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The sleeptime holds for this session only: %1"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "the plant is simulated"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "there is no plant file"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The simulated plant could not be started: %1"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The simulated plant ended unexpectedly (exit status %1)"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The simulated plant was ended by signal %1"),
+};
+
+const char* const sources[] = {
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Console"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "RFID reader %1"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Robot %1"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "AGV %1"),
+};
+
+const char* const dropWords[] = {
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 unknown type"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 unknown message"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 bad length"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 bad value"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 empty"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 noise"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 bad UID"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 bad RSSI"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 truncated"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 trailing text"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 over-long"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 bad tag count"),
+};
+
+constexpr int deepest = 4; ///< a sentence in a sentence in a sentence; ends what could only be a loop
+
+/// What stands in `text` for %1, %2 ... of `pattern`, each as short as possible; none when it does not match.
+std::optional<QStringList> captures(const QString& pattern, const QString& text)
+{
+    QStringList values;
+    qsizetype inPattern = 0;
+    qsizetype inText = 0;
+    while (true) {
+        const qsizetype mark = pattern.indexOf(QLatin1Char('%'), inPattern);
+        const QString literal = pattern.mid(inPattern, mark < 0 ? -1 : mark - inPattern);
+        qsizetype found = values.isEmpty() && inPattern == 0 ? 0 : text.indexOf(literal, inText);
+        if (mark < 0 && inPattern > 0)
+            found = std::max(inText, text.size() - literal.size());
+        if (found < 0 || QStringView(text).mid(found, literal.size()) != literal)
+            return std::nullopt;
+        if (inPattern > 0)
+            values << text.mid(inText, found - inText);
+        inText = found + literal.size();
+        if (mark < 0)
+            break;
+        inPattern = mark + 2;
+    }
+    if (inText != text.size() || values.contains(QString()))
+        return std::nullopt;
+    return values;
+}
+
+/// In one pass, so that a value that holds a "%1" itself is not filled in again.
+template<typename Translate>
+QString filled(const QString& pattern, const QStringList& values, const Translate& translateValue)
+{
+    QString text;
+    for (qsizetype i = 0; i < pattern.size(); ++i) {
+        const int number = pattern[i] == QLatin1Char('%') ? pattern.mid(i + 1, 1).toInt() : 0;
+        if (number >= 1 && number <= values.size()) {
+            text += translateValue(values[number - 1]);
+            ++i;
+        } else {
+            text += pattern[i];
+        }
+    }
+    return text;
+}
+
+template<std::size_t n>
+QString translate(const char* const (&known)[n], const QString& english, int depth)
+{
+    for (const char* pattern : known) {
+        const std::optional<QStringList> values = captures(QString::fromUtf8(pattern), english);
+        if (!values)
+            continue;
+        return filled(QCoreApplication::translate(context, pattern), *values, [&](const QString& value) {
+            return depth > 0 ? translate(known, value, depth - 1) : value;
+        });
+    }
+    return english;
+}
+
+} // namespace
+
+QString Messages::sentence(const std::string& english)
+{
+    return translate(patterns, QString::fromStdString(english), deepest);
+}
+
+QString Messages::source(const std::string& english)
+{
+    return translate(sources, QString::fromStdString(english), 0);
+}
+
+QString Messages::drops(const std::string& english)
+{
+    QStringList parts = QString::fromStdString(english).split(QStringLiteral(", "));
+    for (QString& part : parts)
+        part = translate(dropWords, part, 0);
+    return parts.join(QStringLiteral(", "));
+}
+
+} // namespace agv::model

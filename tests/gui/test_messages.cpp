@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QTest>
+
+#include "gui/application_setup.h"
+#include "link/failure_text.h"
+#include "model/messages.h"
+#include "procedure/link_life.h"
+#include "procedure/turn_parameters.h"
+
+#include <QApplication>
+#include <QMetaEnum>
+
+#include <chrono>
+
+using namespace agv;
+using model::Messages;
+
+/// The sentences of the modules below, in German.
+class MessagesTest : public QObject {
+    Q_OBJECT
+private slots:
+    void initTestCase() { gui::setUpApplication(*qApp, QLocale(QStringLiteral("de_DE"))); }
+    void valuesAreCarriedOver();
+    void aSentenceInASentenceIsTranslatedToo();
+    void aValueThatLooksLikeAPlaceIsNotFilledIn();
+    void unknownSentencesStayAsTheyAre();
+    void droppedMessagesAreCountedInGerman();
+    void everyConnectionFailureHasItsGermanSentence();
+    void everyListenFailureHasItsGermanSentence();
+    void everyReasonOfALinkHasItsGermanSentence();
+    void everyBadParameterHasItsGermanSentence();
+    void whereASleeptimeIsKeptHasItsGermanSentence();
+
+private:
+    static void checkTranslated(const std::string& english)
+    {
+        const QString german = Messages::sentence(english);
+        QVERIFY2(german != QString::fromStdString(english), english.c_str());
+        QVERIFY2(!german.contains(QLatin1Char('%')), qPrintable(german));
+    }
+};
+
+void MessagesTest::valuesAreCarriedOver()
+{
+    QCOMPARE(Messages::sentence("The robot connected from 127.0.0.2:4711"),
+             QStringLiteral("Der Roboter hat sich von 127.0.0.2:4711 verbunden"));
+    QCOMPARE(Messages::sentence("The robot was stopped 31 ms late: this computer was busy, the step is about "
+                                "1.2 degrees too long"),
+             QStringLiteral("Der Roboter wurde 31 ms zu spät angehalten: Dieser Rechner war ausgelastet, der "
+                            "Schritt ist etwa 1.2 Grad zu lang"));
+    QCOMPARE(Messages::source("RFID reader 12"), QStringLiteral("RFID-Leser 12"));
+}
+
+void MessagesTest::aSentenceInASentenceIsTranslatedToo()
+{
+    QCOMPARE(Messages::sentence("The link to the robot was lost: 127.0.0.2:4711 no longer answers: check its "
+                                "power and its Wi-Fi"),
+             QStringLiteral("Die Verbindung zum Roboter ist verloren: 127.0.0.2:4711 antwortet nicht mehr: "
+                            "Strom und WLAN des Geräts prüfen"));
+}
+
+void MessagesTest::aValueThatLooksLikeAPlaceIsNotFilledIn()
+{
+    QCOMPARE(Messages::sentence("Connection to %2 failed: %1"),
+             QStringLiteral("Verbindung zu %2 gescheitert: %1"));
+}
+
+void MessagesTest::unknownSentencesStayAsTheyAre()
+{
+    for (const char* text : {"", "A robot's own words (17)", "100 % sure", "The robot connected from "})
+        QCOMPARE(Messages::sentence(text), QString::fromLatin1(text));
+}
+
+void MessagesTest::droppedMessagesAreCountedInGerman()
+{
+    QCOMPARE(Messages::drops("3 noise, 12 over-long"), QStringLiteral("3 Rauschen, 12 zu lang"));
+}
+
+void MessagesTest::everyConnectionFailureHasItsGermanSentence()
+{
+    const auto errors = QMetaEnum::fromType<QAbstractSocket::SocketError>();
+    QVERIFY(errors.keyCount() > 20);
+    for (int i = 0; i < errors.keyCount(); ++i) {
+        for (bool wasConnected : {false, true})
+            checkTranslated(
+                link::connectionFailureText(static_cast<QAbstractSocket::SocketError>(errors.value(i)),
+                                            wasConnected, {"10.0.0.7", 8883}, QStringLiteral("x"))
+                    .toStdString());
+    }
+}
+
+void MessagesTest::everyListenFailureHasItsGermanSentence()
+{
+    for (auto error : {QAbstractSocket::AddressInUseError, QAbstractSocket::SocketAccessError,
+                       QAbstractSocket::SocketAddressNotAvailableError, QAbstractSocket::UnknownSocketError})
+        checkTranslated(link::listenFailure(error, "TCP", {"127.0.0.1", 2001}, QStringLiteral("x")).detail);
+}
+
+void MessagesTest::everyReasonOfALinkHasItsGermanSentence()
+{
+    procedure::LinkLife life;
+    Time now{};
+    int reasons = 0;
+    // A device that takes connections but never says a word, then one that takes none.
+    for (int i = 0; i < 400; ++i) {
+        now += std::chrono::milliseconds(100);
+        if (life.state() == LinkState::Down)
+            life.open(now);
+        else if (life.state() == LinkState::Opening && i < 200)
+            life.connected(now);
+        life.onTimer(now);
+        if (!life.reason().empty()) {
+            checkTranslated(life.reason());
+            ++reasons;
+        }
+    }
+    QVERIFY(reasons > 100);
+}
+
+void MessagesTest::everyBadParameterHasItsGermanSentence()
+{
+    TurnParameters wrong[5];
+    wrong[0].stopsPerTurn = 9;
+    wrong[1].turnTime_s = -1.0;
+    wrong[2].wheelSpeed_m_s = 99.0;
+    wrong[3].settle_s = -1.0;
+    wrong[4].maxDwell_s = 1e9;
+    for (const TurnParameters& parameters : wrong) {
+        const Result<void> result = procedure::validate(parameters);
+        QVERIFY(!result);
+        checkTranslated(result.error().detail);
+    }
+}
+
+void MessagesTest::whereASleeptimeIsKeptHasItsGermanSentence()
+{
+    QCOMPARE(Messages::sentence("Sleeptime 1201 ms is written to hall 2.json; there it was 1125 ms"),
+             QStringLiteral("Sleeptime 1201 ms ist in hall 2.json geschrieben; dort stand 1125 ms"));
+    QCOMPARE(Messages::sentence("The sleeptime holds for this session only: the plant is simulated"),
+             QStringLiteral("Die Sleeptime gilt nur für diese Sitzung: Die Anlage ist simuliert"));
+    checkTranslated("The sleeptime holds for this session only: there is no plant file");
+    checkTranslated(
+        "The wheel speed was not changed: Wheel speed is 300 mm/s: it must lie between 10 mm/s and 250 mm/s");
+}
+
+QTEST_MAIN(MessagesTest)
+#include "test_messages.moc"

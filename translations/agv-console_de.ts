@@ -1,0 +1,1648 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE">
+<context>
+    <name>CalibrationPanel</name>
+    <message>
+        <source>A&amp;GV</source>
+        <translation>A&amp;GV</translation>
+    </message>
+    <message>
+        <source>The AGV to calibrate</source>
+        <translation>Das AGV, das kalibriert werden soll</translation>
+    </message>
+    <message>
+        <source>Slee&amp;ptime</source>
+        <translation>Slee&amp;ptime</translation>
+    </message>
+    <message>
+        <source>Time of a 45 degree turn. About 1,125 ms with a charged battery, more when it is weak.</source>
+        <translation>Dauer einer Drehung um 45 Grad. Etwa 1.125 ms mit geladener Batterie, mehr, wenn sie schwach ist.</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Timed: each step ends after the sleeptime. Measured: the robot ends each step by its wheel encoders.</source>
+        <translation>Nach Zeit: Jeder Schritt endet nach der Sleeptime. Gemessen: Der Roboter beendet jeden Schritt nach seinen Radgebern.</translation>
+    </message>
+    <message>
+        <source>Timed</source>
+        <translation>Nach Zeit</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation>Ri&amp;chtung</translation>
+    </message>
+    <message>
+        <source>Direction of the turn, seen from above</source>
+        <translation>Drehrichtung, von oben gesehen</translation>
+    </message>
+    <message>
+        <source>Counter-clockwise</source>
+        <translation>Gegen Uhrzeiger</translation>
+    </message>
+    <message>
+        <source>Clockwise</source>
+        <translation>Im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>S&amp;tops</source>
+        <translation>S&amp;topps</translation>
+    </message>
+    <message>
+        <source>Stops in one full turn; a closing reading follows</source>
+        <translation>Stopps einer vollen Drehung; eine abschließende Lesung folgt</translation>
+    </message>
+    <message>
+        <source>D&amp;well</source>
+        <translation>Ver&amp;weilen</translation>
+    </message>
+    <message>
+        <source>Longest time at a stop</source>
+        <translation>Längste Zeit an einem Stopp</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate (Initialization)</source>
+        <translation>&amp;Kalibrieren (Initialisierung)</translation>
+    </message>
+    <message>
+        <source>A&amp;bort</source>
+        <translation>A&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>Stop this turn; the wheels are set to zero</source>
+        <translation>Diese Drehung anhalten; die Räder werden auf null gesetzt</translation>
+    </message>
+    <message>
+        <source>Progress of the turn</source>
+        <translation>Fortschritt der Drehung</translation>
+    </message>
+    <message>
+        <source>Table of stops</source>
+        <translation>Tabelle der Stopps</translation>
+    </message>
+    <message>
+        <source>&amp;Read this stop again</source>
+        <translation>St&amp;opp neu lesen</translation>
+    </message>
+    <message>
+        <source>The AGV turns back to the chosen stop and reads it once more</source>
+        <translation>Das AGV dreht zum gewählten Stopp zurück und liest ihn noch einmal</translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation>Tabelle kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the whole table as text</source>
+        <translation>Die ganze Tabelle als Text kopieren</translation>
+    </message>
+    <message>
+        <source>Fit of each stop</source>
+        <translation>Güte der Stopps</translation>
+    </message>
+    <message>
+        <source>T&amp;urn</source>
+        <translation>&amp;Drehung</translation>
+    </message>
+    <message>
+        <source>Initialization turn: the AGV turns once on the spot, reads the floor tags at every stop and finds where it stands</source>
+        <translation>Initialisierungsdrehung: Das AGV dreht sich einmal auf der Stelle, liest an jedem Stopp die Bodentags und findet heraus, wo es steht</translation>
+    </message>
+    <message>
+        <source>Details of the turn</source>
+        <translation>Einzelheiten der Drehung</translation>
+    </message>
+    <message>
+        <source>Speed of the wheels while the AGV turns. A new speed scales the sleeptime: half the speed takes twice the time.</source>
+        <translation>Geschwindigkeit der Räder, während sich das AGV dreht. Eine neue Geschwindigkeit ändert die Sleeptime mit: Das halbe Tempo braucht die doppelte Zeit.</translation>
+    </message>
+    <message>
+        <source> mm/s</source>
+        <translation> mm/s</translation>
+    </message>
+    <message>
+        <source>&amp;Leave stable stops early</source>
+        <translation>Bei stab&amp;ilen Tags weiter</translation>
+    </message>
+    <message>
+        <source>A stop ends as soon as its tags are stable; off: every stop takes the whole dwell</source>
+        <translation>Ein Stopp endet, sobald seine Tags stabil sind; aus: Jeder Stopp dauert die volle Verweilzeit</translation>
+    </message>
+    <message>
+        <source>What the stops read so far say; the final result comes after the last one</source>
+        <translation>Was die bisher gelesenen Stopps sagen; das endgültige Ergebnis kommt nach dem letzten</translation>
+    </message>
+    <message>
+        <source>Whe&amp;el speed</source>
+        <translation>&amp;Radtempo</translation>
+    </message>
+</context>
+<context>
+    <name>EventPanel</name>
+    <message>
+        <source>Event log</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the chosen lines, or all when none is chosen</source>
+        <translation>Die gewählten Zeilen kopieren, oder alle, wenn keine gewählt ist</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Show also what follows from the console&apos;s own commands, such as every start and stop of a robot</source>
+        <translation>Auch zeigen, was aus den Befehlen der Konsole selbst folgt, etwa jedes Anfahren und Anhalten eines Roboters</translation>
+    </message>
+</context>
+<context>
+    <name>LinksPanel</name>
+    <message>
+        <source>&amp;Open RFID</source>
+        <translation>RFID ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>Open the RFID reader of the chosen row; with none chosen, all readers</source>
+        <translation>Den RFID-Leser der gewählten Zeile öffnen; ist keine gewählt, alle Leser</translation>
+    </message>
+    <message>
+        <source>&amp;Close RFID</source>
+        <translation>RFID schli&amp;eßen</translation>
+    </message>
+    <message>
+        <source>Close the RFID reader of the chosen row; with none chosen, all readers</source>
+        <translation>Den RFID-Leser der gewählten Zeile schließen; ist keine gewählt, alle Leser</translation>
+    </message>
+    <message>
+        <source>Connections</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>AGVs</source>
+        <translation>AGVs</translation>
+    </message>
+    <message>
+        <source>&amp;Read RFID</source>
+        <translation>RFID &amp;lesen</translation>
+    </message>
+    <message>
+        <source>Show which floor tags the reader of the chosen row reads now; opens it when it is closed. With none chosen, all readers</source>
+        <translation>Zeigt, welche Bodentags der Leser der gewählten Zeile gerade liest; öffnet ihn, wenn er geschlossen ist. Ohne Auswahl alle Leser</translation>
+    </message>
+    <message>
+        <source>Floor tags read now</source>
+        <translation>Gerade gelesene Bodentags</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>AGV Console</source>
+        <translation>AGV-Leitstand</translation>
+    </message>
+    <message>
+        <source>SIMULATION: no real AGV is connected</source>
+        <translation>SIMULATION: Es ist kein echtes AGV verbunden</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;AGV</source>
+        <translation>AG&amp;V</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>&amp;Erscheinungsbild</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Werkzeugleiste</translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation>Verbindungen</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+    <message>
+        <source>Event log</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Close the console; every robot is stopped first</source>
+        <translation>Den Leitstand schließen; vorher wird jeder Roboter angehalten</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate (Initialization)</source>
+        <translation>&amp;Kalibrieren (Initialisierung)</translation>
+    </message>
+    <message>
+        <source>Turn the chosen AGV once on the spot and find where it stands</source>
+        <translation>Das gewählte AGV einmal drehen und seine Position bestimmen</translation>
+    </message>
+    <message>
+        <source>&amp;Abort turn</source>
+        <translation>Drehung &amp;abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop the running turn of the chosen AGV</source>
+        <translation>Die laufende Drehung des gewählten AGV anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Stop all</source>
+        <translation>Alle an&amp;halten</translation>
+    </message>
+    <message>
+        <source>Stops all AGVs at once (Esc or Pause). Software stop, does not replace the emergency stop.</source>
+        <translation>Hält alle AGVs sofort an (Esc oder Pause). Software-Halt, ersetzt nicht den Not-Halt.</translation>
+    </message>
+    <message>
+        <source>&amp;Whole plant</source>
+        <translation>&amp;Ganze Anlage</translation>
+    </message>
+    <message>
+        <source>Show the whole plant</source>
+        <translation>Die ganze Anlage zeigen</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>Zoom in; the mouse wheel zooms to the pointer</source>
+        <translation>Vergrößern; das Mausrad zoomt zum Zeiger</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>&amp;Chosen AGV</source>
+        <translation>Ge&amp;wähltes AGV</translation>
+    </message>
+    <message>
+        <source>Show the chosen AGV large</source>
+        <translation>Das gewählte AGV groß zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Follow</source>
+        <translation>&amp;Folgen</translation>
+    </message>
+    <message>
+        <source>Keep the chosen AGV in the middle of the map</source>
+        <translation>Das gewählte AGV in der Mitte der Karte halten</translation>
+    </message>
+    <message>
+        <source>Show &amp;grid</source>
+        <translation>&amp;Raster zeigen</translation>
+    </message>
+    <message>
+        <source>Show floor &amp;tags</source>
+        <translation>Boden&amp;tags zeigen</translation>
+    </message>
+    <message>
+        <source>Show &amp;stations</source>
+        <translation>&amp;Stationen zeigen</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation>Wie der &amp;Desktop</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>Anordnung &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Put all panels back to their places</source>
+        <translation>Alle Fenster an ihren Platz zurücksetzen</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>&amp;Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>&amp;About AGV Console</source>
+        <translation>&amp;Über den AGV-Leitstand</translation>
+    </message>
+    <message>
+        <source>Stop all</source>
+        <translation>Alle anhalten</translation>
+    </message>
+    <message>
+        <source>What to do next</source>
+        <translation>Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose</source>
+        <translation>&amp;Wählen</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>&amp;Next panel</source>
+        <translation>&amp;Nächstes Feld</translation>
+    </message>
+    <message>
+        <source>Move the keyboard to the next panel</source>
+        <translation>Mit der Tastatur ins nächste Feld gehen</translation>
+    </message>
+    <message>
+        <source>&amp;Simulation</source>
+        <translation>&amp;Simulation</translation>
+    </message>
+    <message>
+        <source>Cut the RFID &amp;reader for 10 s</source>
+        <translation>RFID-&amp;Leser 10 s abhängen</translation>
+    </message>
+    <message>
+        <source>The reader of the chosen AGV loses its connection</source>
+        <translation>Der Leser des gewählten AGV verliert seine Verbindung</translation>
+    </message>
+    <message>
+        <source>Cut the r&amp;obot for 10 s</source>
+        <translation>R&amp;oboter 10 s abhängen</translation>
+    </message>
+    <message>
+        <source>The chosen AGV loses its connection and keeps its last speed</source>
+        <translation>Das gewählte AGV verliert seine Verbindung und behält seine letzte Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Robot &amp;error</source>
+        <translation>&amp;Fehler des Roboters</translation>
+    </message>
+    <message>
+        <source>The chosen AGV reports an error</source>
+        <translation>Das gewählte AGV meldet einen Fehler</translation>
+    </message>
+    <message>
+        <source>&amp;Garbage from the RFID reader</source>
+        <translation>&amp;Rauschen vom RFID-Leser</translation>
+    </message>
+    <message>
+        <source>The reader of the chosen AGV prints 300 bytes of noise</source>
+        <translation>Der Leser des gewählten AGV sendet 300 Bytes Rauschen</translation>
+    </message>
+    <message>
+        <source>&amp;Weak battery (10 %)</source>
+        <translation>Schwache &amp;Batterie (10 %)</translation>
+    </message>
+    <message>
+        <source>The chosen AGV turns more slowly than its sleeptime expects</source>
+        <translation>Das gewählte AGV dreht langsamer, als seine Sleeptime erwartet</translation>
+    </message>
+    <message>
+        <source>20 &amp;dead floor tags</source>
+        <translation>20 &amp;tote Bodentags</translation>
+    </message>
+    <message>
+        <source>Floor tags anywhere never answer again</source>
+        <translation>Irgendwelche Bodentags antworten nicht mehr</translation>
+    </message>
+    <message>
+        <source>&amp;Undo all faults</source>
+        <translation>Alle Störungen &amp;aufheben</translation>
+    </message>
+    <message>
+        <source>Everything but the battery is as it was</source>
+        <translation>Alles außer der Batterie ist wieder wie vorher</translation>
+    </message>
+</context>
+<context>
+    <name>ResultCard</name>
+    <message>
+        <source>Appl&amp;y suggested sleeptime</source>
+        <translation>Vorgeschlagene Sleeptime über&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Use this sleeptime for the next turns of this AGV, and keep it in the plant file if there is one</source>
+        <translation>Diese Sleeptime für die nächsten Drehungen dieses AGV verwenden und in der Anlagendatei behalten, wenn es eine gibt</translation>
+    </message>
+    <message>
+        <source>Use the sleeptime from before again, in the plant file too</source>
+        <translation>Wieder die Sleeptime von vorher verwenden, auch in der Anlagendatei</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::CalibrationPanel</name>
+    <message>
+        <source>AGV %1</source>
+        <translation>AGV %1</translation>
+    </message>
+    <message>
+        <source>The robot of %1 is not connected. Switch it on; it connects by itself.</source>
+        <translation>Der Roboter von %1 ist nicht verbunden. Schalten Sie ihn ein; er verbindet sich selbst.</translation>
+    </message>
+    <message>
+        <source>The RFID reader of %1 is closed. Press Open RFID.</source>
+        <translation>Der RFID-Leser von %1 ist geschlossen. Drücken Sie „RFID öffnen“.</translation>
+    </message>
+    <message>
+        <source>Stop %1 of %2, %3. %4 left.</source>
+        <translation>Stopp %1 von %2, %3. Noch %4.</translation>
+    </message>
+    <message>
+        <source>Ready. %1 turns once on the spot: keep %2 around it clear.</source>
+        <translation>Bereit. %1 dreht sich einmal auf der Stelle: Halten Sie %2 ringsum frei.</translation>
+    </message>
+    <message>
+        <source>No turn yet. Press Calibrate: each stop adds a row with the tags read and their RSSI.</source>
+        <translation>Noch keine Drehung. Drücken Sie „Kalibrieren“: Jeder Stopp fügt eine Zeile mit den gelesenen Tags und ihrem RSSI hinzu.</translation>
+    </message>
+    <message>
+        <source>The plant file names no AGV.</source>
+        <translation>Die Anlagendatei nennt kein AGV.</translation>
+    </message>
+    <message>
+        <source>The robot of %1 cannot connect: %2.</source>
+        <translation>Der Roboter von %1 kann sich nicht verbinden: %2.</translation>
+    </message>
+    <message>
+        <source>The RFID reader of %1 does not deliver: %2.</source>
+        <translation>Der RFID-Leser von %1 liefert nichts: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::EventPanel</name>
+    <message>
+        <source>Nothing has happened yet. Connections, turns and errors are written here.</source>
+        <translation>Noch ist nichts geschehen. Verbindungen, Drehungen und Fehler erscheinen hier.</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::LinksPanel</name>
+    <message>
+        <source>No AGVs. The plant file names none; add them there and start again.</source>
+        <translation>Keine AGVs. Die Anlagendatei nennt keine; tragen Sie sie dort ein und starten Sie neu.</translation>
+    </message>
+    <message>
+        <source>Refused, not in the plant file: %1</source>
+        <translation>Abgewiesen, nicht in der Anlagendatei: %1</translation>
+    </message>
+    <message>
+        <source>AGV %1 reads no floor tag</source>
+        <translation>AGV %1 liest kein Bodentag</translation>
+    </message>
+    <message>
+        <source>AGV %1 reads tag (RSSI): %2</source>
+        <translation>AGV %1 liest Tag (RSSI): %2</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::MainWindow</name>
+    <message>
+        <source>Links: %1 of %2 up, %3 disturbed</source>
+        <translation>Verbindungen: %1 von %2, %3 gestört</translation>
+    </message>
+    <message>
+        <source>Links: %1 of %2 up</source>
+        <translation>Verbindungen: %1 von %2 stehen</translation>
+    </message>
+    <message>
+        <source>x %1   y %2</source>
+        <translation>x %1   y %2</translation>
+    </message>
+    <message>
+        <source>AGV Console</source>
+        <translation>AGV-Leitstand</translation>
+    </message>
+    <message>
+        <source>%1 – AGV Console</source>
+        <translation>%1 – AGV-Leitstand</translation>
+    </message>
+    <message>
+        <source>Plant: %1</source>
+        <translation>Anlage: %1</translation>
+    </message>
+    <message>
+        <source>Stop all</source>
+        <translation>Alle anhalten</translation>
+    </message>
+    <message>
+        <source>Stop all AGVs now (Esc). Software stop, does not replace the emergency stop.</source>
+        <translation>Alle AGVs jetzt anhalten (Esc). Software-Halt, ersetzt nicht den Not-Halt.</translation>
+    </message>
+    <message>
+        <source>About AGV Console</source>
+        <translation>Über den AGV-Leitstand</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;AGV Console&lt;/b&gt;&lt;p&gt;Locate, calibrate and watch the AGVs of a pipeless plant.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Made with Qt, QCustomPlot and Eigen.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;AGV-Leitstand&lt;/b&gt;&lt;p&gt;Die AGVs einer rohrlosen Anlage orten, kalibrieren und beobachten.&lt;/p&gt;&lt;p&gt;Freie Software unter der GNU General Public License, Version 3 oder neuer. Erstellt mit Qt, QCustomPlot und Eigen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Calibrate %1</source>
+        <translation>%1 kalibrieren</translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation>AGV %1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The simulation has ended.&lt;/b&gt; %1. Start the console again.</source>
+        <translation>&lt;b&gt;Die Simulation ist zu Ende.&lt;/b&gt; %1. Starten Sie die Konsole neu.</translation>
+    </message>
+    <message>
+        <source>Robots cannot connect</source>
+        <translation>Roboter können sich nicht verbinden</translation>
+    </message>
+    <message>
+        <source>Robots connect to: %1</source>
+        <translation>Roboter verbinden sich mit: %1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;No robot can connect.&lt;/b&gt; %1. It is tried again by itself.</source>
+        <translation>&lt;b&gt;Kein Roboter kann sich verbinden.&lt;/b&gt; %1. Es wird von selbst wieder versucht.</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::MapWidget</name>
+    <message>
+        <source>AGV %1</source>
+        <translation>AGV %1</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, facing %3</source>
+        <translation>x %1, y %2, Blickrichtung %3</translation>
+    </message>
+    <message>
+        <source>Battery %1</source>
+        <translation>Batterie %1</translation>
+    </message>
+    <message>
+        <source>May be moving: the connection was lost while the wheels were turning.</source>
+        <translation>Fährt vielleicht noch: Die Verbindung brach ab, während sich die Räder drehten.</translation>
+    </message>
+    <message>
+        <source>AGV %1, stop %2: antenna at x %3, y %4
+Tags expected %5, seen %6, missed %7, unknown %8</source>
+        <translation>AGV %1, Stopp %2: Antenne bei x %3, y %4
+Tags erwartet %5, gesehen %6, vermisst %7, unbekannt %8</translation>
+    </message>
+    <message>
+        <source>Floor tag %1 (%2)
+%3
+x %4, y %5</source>
+        <translation>Bodentag %1 (%2)
+%3
+x %4, y %5</translation>
+    </message>
+    <message>
+        <source>Station %1
+x %2, y %3</source>
+        <translation>Station %1
+x %2, y %3</translation>
+    </message>
+    <message>
+        <source>Map of the plant</source>
+        <translation>Karte der Anlage</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::NextStep</name>
+    <message>
+        <source>The plant file holds no floor tags, so no AGV can be located.</source>
+        <translation>Die Anlagendatei enthält keine Bodentags; kein AGV kann geortet werden.</translation>
+    </message>
+    <message>
+        <source>The plant file names no AGV. Add one there and start again.</source>
+        <translation>Die Anlagendatei nennt kein AGV. Tragen Sie dort eines ein und starten Sie neu.</translation>
+    </message>
+    <message>
+        <source>Turning: AGV %1. Esc stops all AGVs.</source>
+        <translation>Es dreht sich: AGV %1. Esc hält alle AGVs an.</translation>
+    </message>
+    <message>
+        <source>First press Open RFID, so that the AGVs can read the floor tags.</source>
+        <translation>Drücken Sie zuerst „RFID öffnen“, damit die AGVs die Bodentags lesen können.</translation>
+    </message>
+    <message>
+        <source>Switch the AGVs on. They connect by themselves; none has yet.</source>
+        <translation>Schalten Sie die AGVs ein. Sie verbinden sich von selbst; bisher keines.</translation>
+    </message>
+    <message>
+        <source>Not located yet: AGV %1. Choose one and press Calibrate.</source>
+        <translation>Noch nicht geortet: AGV %1. Wählen Sie eines und drücken Sie „Kalibrieren“.</translation>
+    </message>
+    <message>
+        <source>AGV %1 may still be moving: go and look, and use the switch of the AGV.</source>
+        <translation>AGV %1 fährt vielleicht noch: Sehen Sie nach und benutzen Sie den Schalter des AGV.</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::PlantFileDialog</name>
+    <message>
+        <source>&amp;Choose another file…</source>
+        <translation>&amp;Andere Datei wählen …</translation>
+    </message>
+    <message>
+        <source>&amp;Use the built-in plant</source>
+        <translation>&amp;Eingebaute Anlage verwenden</translation>
+    </message>
+    <message>
+        <source>Plant file</source>
+        <translation>Anlagendatei</translation>
+    </message>
+    <message>
+        <source>The plant file cannot be used.</source>
+        <translation>Die Anlagendatei kann nicht verwendet werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Open plant file</source>
+        <translation>Anlagendatei öffnen</translation>
+    </message>
+    <message>
+        <source>Plant files (*.json);;All files (*)</source>
+        <translation>Anlagendateien (*.json);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::ResultCard</name>
+    <message>
+        <source>Turn aborted</source>
+        <translation>Drehung abgebrochen</translation>
+    </message>
+    <message>
+        <source>Turn failed</source>
+        <translation>Drehung fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>The AGV may still be moving: the connection was lost while its wheels were turning. Go and look before you start again.</source>
+        <translation>Das AGV fährt vielleicht noch: Die Verbindung brach ab, während sich seine Räder drehten. Sehen Sie nach, bevor Sie neu beginnen.</translation>
+    </message>
+    <message>
+        <source>The wheels have been set to zero. Press Calibrate to start again.</source>
+        <translation>Die Räder wurden auf null gesetzt. Drücken Sie „Kalibrieren“, um neu zu beginnen.</translation>
+    </message>
+    <message>
+        <source>Undo: sleeptime %1 again</source>
+        <translation>Rückgängig: wieder Sleeptime %1</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::ResultText</name>
+    <message>
+        <source>Position found</source>
+        <translation>Position gefunden</translation>
+    </message>
+    <message>
+        <source>Two positions are possible</source>
+        <translation>Zwei Positionen sind möglich</translation>
+    </message>
+    <message>
+        <source>Position found, please check</source>
+        <translation>Position gefunden, bitte prüfen</translation>
+    </message>
+    <message>
+        <source>No position found</source>
+        <translation>Keine Position gefunden</translation>
+    </message>
+    <message>
+        <source>The reads of this turn do not tell where %1 stands.</source>
+        <translation>Aus den Lesungen dieser Drehung geht nicht hervor, wo %1 steht.</translation>
+    </message>
+    <message>
+        <source>%1 stands at x %2, y %3 and faces %4. With 95 % certainty within ±%5 and ±%6.</source>
+        <translation>%1 steht bei x %2, y %3 und blickt nach %4. Mit 95 % Sicherheit innerhalb ±%5 und ±%6.</translation>
+    </message>
+    <message>
+        <source>Solver status: %1.</source>
+        <translation>Status des Lösers: %1.</translation>
+    </message>
+    <message>
+        <source>The uncertainty is too large for driving. Repeat the turn with a longer dwell.</source>
+        <translation>Die Unsicherheit ist zum Fahren zu groß. Wiederholen Sie die Drehung mit längerem Verweilen.</translation>
+    </message>
+    <message>
+        <source>A second position explains the reads nearly as well: x %1, y %2, facing %3 (dashed on the map). Look which one is right, or repeat the turn with 12 or 16 stops.</source>
+        <translation>Eine zweite Position erklärt die Lesungen fast ebenso gut: x %1, y %2, Blickrichtung %3 (auf der Karte gestrichelt). Sehen Sie nach, welche stimmt, oder wiederholen Sie die Drehung mit 12 oder 16 Stopps.</translation>
+    </message>
+    <message>
+        <source>A second position explains the reads nearly as well. Repeat the turn with 12 or 16 stops.</source>
+        <translation>Eine zweite Position erklärt die Lesungen fast ebenso gut. Wiederholen Sie die Drehung mit 12 oder 16 Stopps.</translation>
+    </message>
+    <message>
+        <source>Too few tags were read. Is the AGV on the tag field, and the reader powered?</source>
+        <translation>Es wurden zu wenige Tags gelesen. Steht das AGV auf dem Tagfeld, und hat der Leser Strom?</translation>
+    </message>
+    <message>
+        <source>The AGV turned against the commanded direction. Check that its wheels are not swapped.</source>
+        <translation>Das AGV drehte gegen die befohlene Richtung. Prüfen Sie, ob die Räder vertauscht sind.</translation>
+    </message>
+    <message>
+        <source>The steps differ more than usual. Check the wheels for slip and the battery.</source>
+        <translation>Die Schritte sind ungleicher als üblich. Prüfen Sie die Räder auf Schlupf und die Batterie.</translation>
+    </message>
+    <message>
+        <source>The reads contradict the plant file. Check the floor tags and the RSSI table.</source>
+        <translation>Die Lesungen widersprechen der Anlagendatei. Prüfen Sie Bodentags und RSSI-Tabelle.</translation>
+    </message>
+    <message>
+        <source>No tag was read. Check the RFID reader&apos;s link and that the AGV stands on the tag field.</source>
+        <translation>Es wurde kein Tag gelesen. Prüfen Sie die Verbindung des RFID-Lesers und ob das AGV auf dem Tagfeld steht.</translation>
+    </message>
+    <message>
+        <source>The computation ran out of its budget. Repeat the turn.</source>
+        <translation>Die Berechnung wurde nicht rechtzeitig fertig. Wiederholen Sie die Drehung.</translation>
+    </message>
+    <message>
+        <source>The steps were %1 instead of %2: a sleeptime of %3 fits (±%4).</source>
+        <translation>Die Schritte waren %1 statt %2: Eine Sleeptime von %3 passt (±%4).</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, facing %3 (95 %: ±%4, ±%5)</source>
+        <translation>x %1, y %2, Blick nach %3 (95 %: ±%4, ±%5)</translation>
+    </message>
+    <message>
+        <source>So far: %1; a second position is still possible</source>
+        <translation>Bisher: %1; eine zweite Position ist noch möglich</translation>
+    </message>
+    <message>
+        <source>So far: %1</source>
+        <translation>Bisher: %1</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::ShiftLog</name>
+    <message>
+        <source>Sleeptime changed from %1 to %2</source>
+        <translation>Sleeptime von %1 auf %2 geändert</translation>
+    </message>
+    <message>
+        <source>Weak battery: %1 left. Charge it soon; until then it turns more slowly than its sleeptime expects.</source>
+        <translation>Schwache Batterie: noch %1. Bald laden; bis dahin dreht das AGV langsamer, als seine Sleeptime erwartet.</translation>
+    </message>
+    <message>
+        <source>Wheel speed of its turns changed from %1 to %2</source>
+        <translation>Radgeschwindigkeit seiner Drehungen von %1 auf %2 geändert</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::ShortcutDialog</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Stop all AGVs, from everywhere</source>
+        <translation>Alle AGVs anhalten, von überall</translation>
+    </message>
+    <message>
+        <source>Arrows, +, -</source>
+        <translation>Pfeile, +, -</translation>
+    </message>
+    <message>
+        <source>Move and zoom the map that has the focus</source>
+        <translation>Die Karte mit dem Fokus verschieben und zoomen</translation>
+    </message>
+    <message>
+        <source>Copy the chosen lines of the event log</source>
+        <translation>Die gewählten Zeilen der Ereignisse kopieren</translation>
+    </message>
+    <message>
+        <source>Go to the next field</source>
+        <translation>Zum nächsten Feld gehen</translation>
+    </message>
+    <message>
+        <source>Choose AGV 1 to 9</source>
+        <translation>AGV 1 bis 9 wählen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::StopFitPlot</name>
+    <message>
+        <source>No stops to compare yet. Press Calibrate: after the third stop this shows which tags each stop saw, missed or should not have seen.</source>
+        <translation>Noch keine Stopps zu vergleichen. Drücken Sie „Kalibrieren“: Nach dem dritten Stopp steht hier, welche Tags jeder Stopp sah, vermisste oder nicht hätte sehen sollen.</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Floor tags</source>
+        <translation>Bodentags</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>gesehen</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>vermisst</translation>
+    </message>
+    <message>
+        <source>out of place</source>
+        <translation>fehl am Platz</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::EventTableModel</name>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>%1 (%2 times, last at %3)</source>
+        <translation>%1 (%2-mal, zuletzt um %3)</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::LinkTableModel</name>
+    <message>
+        <source>AGV %1 RFID</source>
+        <translation>AGV %1 RFID</translation>
+    </message>
+    <message>
+        <source>AGV %1 robot</source>
+        <translation>AGV %1 Roboter</translation>
+    </message>
+    <message>
+        <source>Address: %1</source>
+        <translation>Adresse: %1</translation>
+    </message>
+    <message>
+        <source>Received: %1 messages</source>
+        <translation>Empfangen: %1 Nachrichten</translation>
+    </message>
+    <message>
+        <source>Dropped: none</source>
+        <translation>Verworfen: keine</translation>
+    </message>
+    <message>
+        <source>Dropped: %1</source>
+        <translation>Verworfen: %1</translation>
+    </message>
+    <message>
+        <source>Messages that could not be used; hover a row for the reasons</source>
+        <translation>Nachrichten, die nicht brauchbar waren; die Gründe zeigt der Mauszeiger über der Zeile</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <comment>time until the next try</comment>
+        <translation>in %1</translation>
+    </message>
+    <message>
+        <source>%1 ago</source>
+        <comment>age of the last message</comment>
+        <translation>vor %1</translation>
+    </message>
+    <message>
+        <source>Messages per second, and the age of the last one</source>
+        <translation>Nachrichten je Sekunde und das Alter der letzten</translation>
+    </message>
+    <message>
+        <source>Rate, age</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Dropped</source>
+        <translation>Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::Messages</name>
+    <message>
+        <source>Listening for robots on %1 (TCP), %2 (UDP)</source>
+        <translation>Roboter können sich verbinden: %1 (TCP), %2 (UDP)</translation>
+    </message>
+    <message>
+        <source>Listening for robots on %1 (TCP), no telemetry</source>
+        <translation>Roboter können sich verbinden: %1 (TCP), ohne Telemetrie</translation>
+    </message>
+    <message>
+        <source>%1 (TCP), no telemetry</source>
+        <translation>%1 (TCP), ohne Telemetrie</translation>
+    </message>
+    <message>
+        <source>Not listening yet</source>
+        <translation>noch nicht bereit</translation>
+    </message>
+    <message>
+        <source>Not listening: %1</source>
+        <translation>nicht bereit: %1</translation>
+    </message>
+    <message>
+        <source>All AGVs were told to stop: %1</source>
+        <translation>Alle AGVs wurden angehalten: %1</translation>
+    </message>
+    <message>
+        <source>Stop all was pressed</source>
+        <translation>„Alle anhalten“ wurde gedrückt</translation>
+    </message>
+    <message>
+        <source>The operator aborted it</source>
+        <translation>Vom Bediener abgebrochen</translation>
+    </message>
+    <message>
+        <source>The console ends</source>
+        <translation>Die Konsole wird beendet</translation>
+    </message>
+    <message>
+        <source>%1 tried to connect as a robot and was refused: it is not in the plant file</source>
+        <translation>%1 wollte sich als Roboter verbinden und wurde abgewiesen: Die Adresse steht nicht in der Anlagendatei</translation>
+    </message>
+    <message>
+        <source>There is no AGV %1 in the plant file</source>
+        <translation>In der Anlagendatei gibt es kein AGV %1</translation>
+    </message>
+    <message>
+        <source>The initialisation turn was not started: %1</source>
+        <translation>Die Initialisierungsdrehung wurde nicht begonnen: %1</translation>
+    </message>
+    <message>
+        <source>Initialisation turn started</source>
+        <translation>Initialisierungsdrehung begonnen</translation>
+    </message>
+    <message>
+        <source>a turn is running</source>
+        <translation>Es läuft schon eine Drehung</translation>
+    </message>
+    <message>
+        <source>the robot is not connected</source>
+        <translation>Der Roboter ist nicht verbunden</translation>
+    </message>
+    <message>
+        <source>the RFID reader is not connected</source>
+        <translation>Der RFID-Leser ist nicht verbunden</translation>
+    </message>
+    <message>
+        <source>the robot is docked: undock it first</source>
+        <translation>Der Roboter ist angedockt: erst abdocken</translation>
+    </message>
+    <message>
+        <source>the robot is in error: look at the robot, then switch it off and on</source>
+        <translation>Der Roboter meldet einen Fehler: nach dem Roboter sehen, dann aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>there is no finished turn</source>
+        <translation>Es gibt keine abgeschlossene Drehung</translation>
+    </message>
+    <message>
+        <source>Stop %1 is not read again: %2</source>
+        <translation>Stopp %1 wird nicht neu gelesen: %2</translation>
+    </message>
+    <message>
+        <source>The sleeptime was not changed: %1</source>
+        <translation>Die Sleeptime wurde nicht geändert: %1</translation>
+    </message>
+    <message>
+        <source>The robot connected a second time from %1; its older connection was closed</source>
+        <translation>Der Roboter hat sich von %1 ein zweites Mal verbunden; die ältere Verbindung wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>the robot connected anew, it may have restarted</source>
+        <translation>Der Roboter hat sich neu verbunden, vielleicht ist er neu gestartet</translation>
+    </message>
+    <message>
+        <source>The robot connected from %1</source>
+        <translation>Der Roboter hat sich von %1 verbunden</translation>
+    </message>
+    <message>
+        <source>THE ROBOT MAY STILL BE MOVING: its link was lost while it drove. Use its own switch. (%1)</source>
+        <translation>DER ROBOTER FÄHRT MÖGLICHERWEISE NOCH: Die Verbindung brach während der Fahrt ab. Am Roboter ausschalten. (%1)</translation>
+    </message>
+    <message>
+        <source>The link to the robot was lost: %1</source>
+        <translation>Die Verbindung zum Roboter ist verloren: %1</translation>
+    </message>
+    <message>
+        <source>The link to the RFID reader was lost: %1</source>
+        <translation>Die Verbindung zum RFID-Leser ist verloren: %1</translation>
+    </message>
+    <message>
+        <source>it was closed</source>
+        <translation>Sie wurde geschlossen</translation>
+    </message>
+    <message>
+        <source>a command could not be sent</source>
+        <translation>Ein Befehl ließ sich nicht senden</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>Verbunden</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
+    </message>
+    <message>
+        <source>%1 more messages were left out</source>
+        <translation>%1 weitere Meldungen weggelassen</translation>
+    </message>
+    <message>
+        <source>The robot is docking</source>
+        <translation>Der Roboter dockt an</translation>
+    </message>
+    <message>
+        <source>The robot is docking to charge</source>
+        <translation>Der Roboter dockt zum Laden an</translation>
+    </message>
+    <message>
+        <source>The robot is docked</source>
+        <translation>Der Roboter ist angedockt</translation>
+    </message>
+    <message>
+        <source>The robot is undocking</source>
+        <translation>Der Roboter dockt ab</translation>
+    </message>
+    <message>
+        <source>The robot is idle</source>
+        <translation>Der Roboter ist bereit</translation>
+    </message>
+    <message>
+        <source>The robot is in error: look at the robot, then switch it off and on</source>
+        <translation>Der Roboter meldet einen Fehler: nach dem Roboter sehen, dann aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s program failed at %1, line %2</source>
+        <translation>Das Programm des Roboters ist gescheitert: %1, Zeile %2</translation>
+    </message>
+    <message>
+        <source>Connected, but nothing heard for 5 s</source>
+        <translation>Verbunden, aber seit 5 s nichts gehört</translation>
+    </message>
+    <message>
+        <source>Waiting for the robot to connect: switch it on</source>
+        <translation>Warten auf den Roboter: schalten Sie ihn ein</translation>
+    </message>
+    <message>
+        <source>Stop %1 is read again</source>
+        <translation>Stopp %1 wird neu gelesen</translation>
+    </message>
+    <message>
+        <source>No floor tag was read for %1 s: check the RFID reader and that the AGV stands on tags</source>
+        <translation>Seit %1 s wurde kein Bodentag gelesen: RFID-Leser prüfen, und ob das AGV auf Tags steht</translation>
+    </message>
+    <message>
+        <source>No floor tag was read at stop %1</source>
+        <translation>An Stopp %1 wurde kein Bodentag gelesen</translation>
+    </message>
+    <message>
+        <source>The robot did not report the end of its turn in time: check that its wheels are free</source>
+        <translation>Der Roboter hat das Ende seiner Drehung nicht rechtzeitig gemeldet: prüfen, ob die Räder frei sind</translation>
+    </message>
+    <message>
+        <source>The solver gave no answer</source>
+        <translation>Der Löser gab keine Antwort</translation>
+    </message>
+    <message>
+        <source>The robot reports an error: look at the robot, then switch it off and on</source>
+        <translation>Der Roboter meldet einen Fehler: nach dem Roboter sehen, dann aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>The robot is docking or docked: undock it first</source>
+        <translation>Der Roboter dockt an oder ist angedockt: erst abdocken</translation>
+    </message>
+    <message>
+        <source>The robot stopped in the middle of a turn: look for what it bumped into</source>
+        <translation>Der Roboter blieb mitten in der Drehung stehen: nachsehen, woran er gestoßen ist</translation>
+    </message>
+    <message>
+        <source>The robot was stopped %1 ms late: this computer was busy, the step is about %2 degrees too long</source>
+        <translation>Der Roboter wurde %1 ms zu spät angehalten: Dieser Rechner war ausgelastet, der Schritt ist etwa %2 Grad zu lang</translation>
+    </message>
+    <message>
+        <source>Number of stops is %1: it must be 8, 12 or 16</source>
+        <translation>Die Zahl der Stopps ist %1: erlaubt sind 8, 12 oder 16</translation>
+    </message>
+    <message>
+        <source>%1 is %2: it must lie between %3 and %4</source>
+        <translation>%1 ist %2: erlaubt ist %3 bis %4</translation>
+    </message>
+    <message>
+        <source>Wheel speed</source>
+        <translation>Radgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Beruhigungszeit</translation>
+    </message>
+    <message>
+        <source>Shortest dwell</source>
+        <translation>Kürzestes Verweilen</translation>
+    </message>
+    <message>
+        <source>Longest dwell</source>
+        <translation>Längstes Verweilen</translation>
+    </message>
+    <message>
+        <source>Connected again, but still nothing is heard: no floor tag below the antenna, or the reader has no power</source>
+        <translation>Wieder verbunden, aber es kommt noch nichts: kein Bodentag unter der Antenne, oder der Leser hat keinen Strom</translation>
+    </message>
+    <message>
+        <source>No answer within %1 s: check the address and that the device has power and Wi-Fi</source>
+        <translation>Keine Antwort innerhalb von %1 s: Adresse prüfen, und ob das Gerät Strom und WLAN hat</translation>
+    </message>
+    <message>
+        <source>Connected, but nothing heard for %1 s: no floor tag below the antenna, or the link is dead</source>
+        <translation>Verbunden, aber seit %1 s nichts gehört: kein Bodentag unter der Antenne, oder die Verbindung ist tot</translation>
+    </message>
+    <message>
+        <source>Nothing heard for %1 s: the connection is being made anew</source>
+        <translation>Seit %1 s nichts gehört: Die Verbindung wird neu aufgebaut</translation>
+    </message>
+    <message>
+        <source>%1 refuses the connection: the device is on, but nothing listens on that port; check the port</source>
+        <translation>%1 weist die Verbindung ab: Das Gerät ist an, aber an diesem Port antwortet nichts; Port prüfen</translation>
+    </message>
+    <message>
+        <source>%1 closed the connection: it was switched off, restarted or serves other clients already</source>
+        <translation>%1 hat die Verbindung geschlossen: ausgeschaltet, neu gestartet oder schon mit anderen verbunden</translation>
+    </message>
+    <message>
+        <source>%1 closed the connection: it was switched off or restarted</source>
+        <translation>%1 hat die Verbindung geschlossen: ausgeschaltet oder neu gestartet</translation>
+    </message>
+    <message>
+        <source>The host &quot;%1&quot; is not known: check the name in the plant file</source>
+        <translation>Der Rechnername „%1“ ist nicht bekannt: Namen in der Anlagendatei prüfen</translation>
+    </message>
+    <message>
+        <source>%1 no longer answers: check its power and its Wi-Fi</source>
+        <translation>%1 antwortet nicht mehr: Strom und WLAN des Geräts prüfen</translation>
+    </message>
+    <message>
+        <source>%1 does not answer: check the address, its power and its Wi-Fi</source>
+        <translation>%1 antwortet nicht: Adresse, Strom und WLAN des Geräts prüfen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached (%2): check the cable, the Wi-Fi and the address</source>
+        <translation>%1 ist nicht erreichbar (%2): Kabel, WLAN und Adresse prüfen</translation>
+    </message>
+    <message>
+        <source>The system forbids a connection to %1: check the firewall</source>
+        <translation>Das System verbietet die Verbindung zu %1: Firewall prüfen</translation>
+    </message>
+    <message>
+        <source>Connection to %1 failed: %2</source>
+        <translation>Verbindung zu %1 gescheitert: %2</translation>
+    </message>
+    <message>
+        <source>%1 is in use: another console or program holds it; end that program or change the port in the plant file</source>
+        <translation>%1 ist belegt: Eine andere Konsole oder ein anderes Programm benutzt ihn; beenden Sie es oder ändern Sie den Port in der Anlagendatei</translation>
+    </message>
+    <message>
+        <source>%1 is forbidden by the system: ports below 1024 need administrator rights; choose a higher port in the plant file</source>
+        <translation>%1 ist vom System gesperrt: Ports unter 1024 brauchen Verwalterrechte; wählen Sie in der Anlagendatei einen höheren</translation>
+    </message>
+    <message>
+        <source>%1 does not exist: this computer has no network interface with that address; check the listen address in the plant file</source>
+        <translation>%1 gibt es nicht: Dieser Rechner hat keine Netzschnittstelle mit dieser Adresse; prüfen Sie die eigene Adresse in der Anlagendatei</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2</source>
+        <translation>%1 lässt sich nicht öffnen: %2</translation>
+    </message>
+    <message>
+        <source>%1 port %2 on %3</source>
+        <translation>%1-Port %2 auf %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an address: the listen address of the plant file must be one of this computer, such as 127.0.0.1</source>
+        <translation>„%1“ ist keine Adresse: Die eigene Adresse in der Anlagendatei muss eine dieses Rechners sein, etwa 127.0.0.1</translation>
+    </message>
+    <message>
+        <source>The simulated plant could not be started: %1</source>
+        <translation>Die simulierte Anlage ließ sich nicht starten: %1</translation>
+    </message>
+    <message>
+        <source>The simulated plant ended unexpectedly (exit status %1)</source>
+        <translation>Die simulierte Anlage endete unerwartet (Status %1)</translation>
+    </message>
+    <message>
+        <source>The simulated plant was ended by signal %1</source>
+        <translation>Die simulierte Anlage wurde durch Signal %1 beendet</translation>
+    </message>
+    <message>
+        <source>Console</source>
+        <translation>Konsole</translation>
+    </message>
+    <message>
+        <source>RFID reader %1</source>
+        <translation>RFID-Leser %1</translation>
+    </message>
+    <message>
+        <source>Robot %1</source>
+        <translation>Roboter %1</translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation>AGV %1</translation>
+    </message>
+    <message>
+        <source>%1 unknown type</source>
+        <translation>%1 unbekannter Art</translation>
+    </message>
+    <message>
+        <source>%1 unknown message</source>
+        <translation>%1 unbekannte Meldung</translation>
+    </message>
+    <message>
+        <source>%1 bad length</source>
+        <translation>%1 falsche Länge</translation>
+    </message>
+    <message>
+        <source>%1 bad value</source>
+        <translation>%1 falscher Wert</translation>
+    </message>
+    <message>
+        <source>%1 empty</source>
+        <translation>%1 leer</translation>
+    </message>
+    <message>
+        <source>%1 noise</source>
+        <translation>%1 Rauschen</translation>
+    </message>
+    <message>
+        <source>%1 bad UID</source>
+        <translation>%1 falsche UID</translation>
+    </message>
+    <message>
+        <source>%1 bad RSSI</source>
+        <translation>%1 falscher RSSI</translation>
+    </message>
+    <message>
+        <source>%1 truncated</source>
+        <translation>%1 abgeschnitten</translation>
+    </message>
+    <message>
+        <source>%1 trailing text</source>
+        <translation>%1 mit Anhang</translation>
+    </message>
+    <message>
+        <source>%1 over-long</source>
+        <translation>%1 zu lang</translation>
+    </message>
+    <message>
+        <source>%1 bad tag count</source>
+        <translation>%1 falsche Tag-Zahl</translation>
+    </message>
+    <message>
+        <source>%1 sent telemetry that was ignored: the plant file has no robot with that address, or more than one</source>
+        <translation>%1 sandte Telemetrie, die nicht beachtet wird: Die Anlagendatei hat keinen Roboter mit dieser Adresse oder mehr als einen</translation>
+    </message>
+    <message>
+        <source>The robot is driving</source>
+        <translation>Der Roboter fährt</translation>
+    </message>
+    <message>
+        <source>The robot is driving a segment</source>
+        <translation>Der Roboter fährt ein Segment</translation>
+    </message>
+    <message>
+        <source>The robot is waiting for a segment</source>
+        <translation>Der Roboter wartet auf ein Segment</translation>
+    </message>
+    <message>
+        <source>The wheel speed was not changed: %1</source>
+        <translation>Die Radgeschwindigkeit wurde nicht geändert: %1</translation>
+    </message>
+    <message>
+        <source>Sleeptime %1 ms is written to %2; there it was %3 ms</source>
+        <translation>Sleeptime %1 ms ist in %2 geschrieben; dort stand %3 ms</translation>
+    </message>
+    <message>
+        <source>The sleeptime holds for this session only: %1</source>
+        <translation>Die Sleeptime gilt nur für diese Sitzung: %1</translation>
+    </message>
+    <message>
+        <source>the plant is simulated</source>
+        <translation>Die Anlage ist simuliert</translation>
+    </message>
+    <message>
+        <source>there is no plant file</source>
+        <translation>Es gibt keine Anlagendatei</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::StopTableModel</name>
+    <message>
+        <source>Tag %1, RSSI %2</source>
+        <translation>Tag %1, RSSI %2</translation>
+    </message>
+    <message>
+        <source>Stop %1: %2 reads of %3 tags</source>
+        <translation>Stopp %1: %2 Lesungen von %3 Tags</translation>
+    </message>
+    <message>
+        <source>Expected but not seen: %1</source>
+        <translation>Erwartet, aber nicht gesehen: %1</translation>
+    </message>
+    <message>
+        <source>Not in the plant file: %1</source>
+        <translation>Nicht in der Anlagendatei: %1</translation>
+    </message>
+    <message>
+        <source>Belongs elsewhere: %1</source>
+        <translation>Gehört woandershin: %1</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Reads</source>
+        <translation>Lesungen</translation>
+    </message>
+    <message>
+        <source>RSSI %1</source>
+        <translation>RSSI %1</translation>
+    </message>
+    <message>
+        <source>Tag %1</source>
+        <translation>Tag %1</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::VehicleTableModel</name>
+    <message>
+        <source>AGV %1</source>
+        <translation>AGV %1</translation>
+    </message>
+    <message>
+        <source>May be moving</source>
+        <translation>Fährt vielleicht</translation>
+    </message>
+    <message>
+        <source>The connection was lost while the wheels were turning. Go and look before you drive.</source>
+        <translation>Die Verbindung brach ab, während sich die Räder drehten. Sehen Sie nach, bevor Sie fahren.</translation>
+    </message>
+    <message>
+        <source>Battery: %1, %2</source>
+        <translation>Batterie: %1, %2</translation>
+    </message>
+    <message>
+        <source>Temperature: %1 °C</source>
+        <translation>Temperatur: %1 °C</translation>
+    </message>
+    <message>
+        <source>The robot has not connected. Switch it on; it connects by itself.</source>
+        <translation>Der Roboter hat sich nicht verbunden. Schalten Sie ihn ein; er verbindet sich selbst.</translation>
+    </message>
+    <message>
+        <source>AGV</source>
+        <translation>AGV</translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation>Batterie</translation>
+    </message>
+    <message>
+        <source>Charge</source>
+        <translation>Ladung</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>The robot is connected but has not reported its battery yet.</source>
+        <translation>Der Roboter ist verbunden, hat seine Batterie aber noch nicht gemeldet.</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::Words</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Geschlossen</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>Öffnet</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Verbunden</translation>
+    </message>
+    <message>
+        <source>Silent</source>
+        <translation>Stumm</translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Gescheitert</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>Bereit</translation>
+    </message>
+    <message>
+        <source>Driving a segment</source>
+        <translation>Fährt Segment</translation>
+    </message>
+    <message>
+        <source>Waiting for a segment</source>
+        <translation>Wartet auf Segment</translation>
+    </message>
+    <message>
+        <source>Driving directly</source>
+        <translation>Fährt direkt</translation>
+    </message>
+    <message>
+        <source>Docking</source>
+        <translation>Dockt an</translation>
+    </message>
+    <message>
+        <source>Docked</source>
+        <translation>Angedockt</translation>
+    </message>
+    <message>
+        <source>Undocking</source>
+        <translation>Dockt ab</translation>
+    </message>
+    <message>
+        <source>Docking (demo)</source>
+        <translation>Dockt an (Demo)</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>not charging</source>
+        <translation>lädt nicht</translation>
+    </message>
+    <message>
+        <source>reconditioning</source>
+        <translation>wird aufgefrischt</translation>
+    </message>
+    <message>
+        <source>charging</source>
+        <translation>lädt</translation>
+    </message>
+    <message>
+        <source>trickle charging</source>
+        <translation>Erhaltungsladung</translation>
+    </message>
+    <message>
+        <source>waiting to charge</source>
+        <translation>wartet auf Ladung</translation>
+    </message>
+    <message>
+        <source>charging fault</source>
+        <translation>Ladefehler</translation>
+    </message>
+    <message>
+        <source>Info</source>
+        <translation>Info</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>No turn yet</source>
+        <translation>Noch keine Drehung</translation>
+    </message>
+    <message>
+        <source>coming to rest</source>
+        <translation>kommt zur Ruhe</translation>
+    </message>
+    <message>
+        <source>reading tags</source>
+        <translation>liest Tags</translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation>dreht</translation>
+    </message>
+    <message>
+        <source>Computing the position</source>
+        <translation>Berechnet die Position</translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Aborted</source>
+        <translation>Abgebrochen</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>/s</source>
+        <comment>per second</comment>
+        <translation>/s</translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation>V</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Detail</translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation>Nicht verbunden</translation>
+    </message>
+    <message>
+        <source>State unknown</source>
+        <translation>Zustand unbekannt</translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation>mm/s</translation>
+    </message>
+</context>
+</TS>

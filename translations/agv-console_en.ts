@@ -1,0 +1,1644 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en_US">
+<context>
+    <name>CalibrationPanel</name>
+    <message>
+        <source>A&amp;GV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The AGV to calibrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Slee&amp;ptime</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time of a 45 degree turn. About 1,125 ms with a charged battery, more when it is weak.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Timed: each step ends after the sleeptime. Measured: the robot ends each step by its wheel encoders.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Timed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Direction of the turn, seen from above</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counter-clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;tops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops in one full turn; a closing reading follows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>D&amp;well</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest time at a stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A&amp;bort</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop this turn; the wheels are set to zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress of the turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Table of stops</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Read this stop again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The AGV turns back to the chosen stop and reads it once more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the whole table as text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fit of each stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>T&amp;urn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate (Initialization)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Initialization turn: the AGV turns once on the spot, reads the floor tags at every stop and finds where it stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Details of the turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the wheels while the AGV turns. A new speed scales the sleeptime: half the speed takes twice the time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> mm/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Leave stable stops early</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A stop ends as soon as its tags are stable; off: every stop takes the whole dwell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the stops read so far say; the final result comes after the last one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whe&amp;el speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>EventPanel</name>
+    <message>
+        <source>Event log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the chosen lines, or all when none is chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show also what follows from the console&apos;s own commands, such as every start and stop of a robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>LinksPanel</name>
+    <message>
+        <source>&amp;Open RFID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the RFID reader of the chosen row; with none chosen, all readers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Close RFID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the RFID reader of the chosen row; with none chosen, all readers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGVs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Read RFID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show which floor tags the reader of the chosen row reads now; opens it when it is closed. With none chosen, all readers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Floor tags read now</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>AGV Console</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>SIMULATION: no real AGV is connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;AGV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Links</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Event log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the console; every robot is stopped first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Abort turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the running turn of the chosen AGV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Stop all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops all AGVs at once (Esc or Pause). Software stop, does not replace the emergency stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Whole plant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the whole plant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom in; the mouse wheel zooms to the pointer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Chosen AGV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the chosen AGV large</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the chosen AGV in the middle of the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show &amp;grid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show floor &amp;tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show &amp;stations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put all panels back to their places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;About AGV Console</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What to do next</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;hoose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate (Initialization)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn the chosen AGV once on the spot and find where it stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Next panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move the keyboard to the next panel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Simulation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the RFID &amp;reader for 10 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reader of the chosen AGV loses its connection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cut the r&amp;obot for 10 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen AGV loses its connection and keeps its last speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot &amp;error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen AGV reports an error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Garbage from the RFID reader</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reader of the chosen AGV prints 300 bytes of noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Weak battery (10 %)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The chosen AGV turns more slowly than its sleeptime expects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>20 &amp;dead floor tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Floor tags anywhere never answer again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo all faults</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything but the battery is as it was</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ResultCard</name>
+    <message>
+        <source>Appl&amp;y suggested sleeptime</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use this sleeptime for the next turns of this AGV, and keep it in the plant file if there is one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use the sleeptime from before again, in the plant file too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::CalibrationPanel</name>
+    <message>
+        <source>AGV %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot of %1 is not connected. Switch it on; it connects by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The RFID reader of %1 is closed. Press Open RFID.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop %1 of %2, %3. %4 left.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready. %1 turns once on the spot: keep %2 around it clear.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plant file names no AGV.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No turn yet. Press Calibrate: each stop adds a row with the tags read and their RSSI.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot of %1 cannot connect: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The RFID reader of %1 does not deliver: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::EventPanel</name>
+    <message>
+        <source>Nothing has happened yet. Connections, turns and errors are written here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::LinksPanel</name>
+    <message>
+        <source>No AGVs. The plant file names none; add them there and start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Refused, not in the plant file: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1 reads no floor tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1 reads tag (RSSI): %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::MainWindow</name>
+    <message>
+        <source>Links: %1 of %2 up, %3 disturbed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Links: %1 of %2 up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x %1   y %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV Console</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 – AGV Console</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plant: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop all</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop all AGVs now (Esc). Software stop, does not replace the emergency stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>About AGV Console</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;AGV Console&lt;/b&gt;&lt;p&gt;Locate, calibrate and watch the AGVs of a pipeless plant.&lt;/p&gt;&lt;p&gt;Free software under the GNU General Public License, version 3 or later. Made with Qt, QCustomPlot and Eigen.&lt;/p&gt;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;The simulation has ended.&lt;/b&gt; %1. Start the console again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robots cannot connect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robots connect to: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;No robot can connect.&lt;/b&gt; %1. It is tried again by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::MapWidget</name>
+    <message>
+        <source>AGV %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x %1, y %2, facing %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Battery %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>May be moving: the connection was lost while the wheels were turning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1, stop %2: antenna at x %3, y %4
+Tags expected %5, seen %6, missed %7, unknown %8</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Floor tag %1 (%2)
+%3
+x %4, y %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Station %1
+x %2, y %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map of the plant</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::NextStep</name>
+    <message>
+        <source>The plant file holds no floor tags, so no AGV can be located.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plant file names no AGV. Add one there and start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turning: AGV %1. Esc stops all AGVs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>First press Open RFID, so that the AGVs can read the floor tags.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the AGVs on. They connect by themselves; none has yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not located yet: AGV %1. Choose one and press Calibrate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1 may still be moving: go and look, and use the switch of the AGV.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::PlantFileDialog</name>
+    <message>
+        <source>&amp;Choose another file…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Use the built-in plant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plant file cannot be used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plant files (*.json);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::ResultCard</name>
+    <message>
+        <source>Turn aborted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The AGV may still be moving: the connection was lost while its wheels were turning. Go and look before you start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The wheels have been set to zero. Press Calibrate to start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo: sleeptime %1 again</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::ResultText</name>
+    <message>
+        <source>Position found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two positions are possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position found, please check</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No position found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reads of this turn do not tell where %1 stands.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 stands at x %2, y %3 and faces %4. With 95 % certainty within ±%5 and ±%6.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solver status: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The uncertainty is too large for driving. Repeat the turn with a longer dwell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A second position explains the reads nearly as well: x %1, y %2, facing %3 (dashed on the map). Look which one is right, or repeat the turn with 12 or 16 stops.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A second position explains the reads nearly as well. Repeat the turn with 12 or 16 stops.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too few tags were read. Is the AGV on the tag field, and the reader powered?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The AGV turned against the commanded direction. Check that its wheels are not swapped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The steps differ more than usual. Check the wheels for slip and the battery.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reads contradict the plant file. Check the floor tags and the RSSI table.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No tag was read. Check the RFID reader&apos;s link and that the AGV stands on the tag field.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The computation ran out of its budget. Repeat the turn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The steps were %1 instead of %2: a sleeptime of %3 fits (±%4).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x %1, y %2, facing %3 (95 %: ±%4, ±%5)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So far: %1; a second position is still possible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>So far: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::ShiftLog</name>
+    <message>
+        <source>Sleeptime changed from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Weak battery: %1 left. Charge it soon; until then it turns more slowly than its sleeptime expects.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wheel speed of its turns changed from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::ShortcutDialog</name>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop all AGVs, from everywhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Arrows, +, -</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move and zoom the map that has the focus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the chosen lines of the event log</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go to the next field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose AGV 1 to 9</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::StopFitPlot</name>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Floor tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>out of place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No stops to compare yet. Press Calibrate: after the third stop this shows which tags each stop saw, missed or should not have seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::EventTableModel</name>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2 times, last at %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::LinkTableModel</name>
+    <message>
+        <source>AGV %1 RFID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1 robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Address: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Received: %1 messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dropped: none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dropped: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Messages that could not be used; hover a row for the reasons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <comment>time until the next try</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ago</source>
+        <comment>age of the last message</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Messages per second, and the age of the last one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate, age</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dropped</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::Messages</name>
+    <message>
+        <source>Listening for robots on %1 (TCP), %2 (UDP)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Listening for robots on %1 (TCP), no telemetry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (TCP), no telemetry</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not listening yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not listening: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All AGVs were told to stop: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop all was pressed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The operator aborted it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The console ends</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 tried to connect as a robot and was refused: it is not in the plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no AGV %1 in the plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The initialisation turn was not started: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Initialisation turn started</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a turn is running</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot is not connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the RFID reader is not connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot is docked: undock it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot is in error: look at the robot, then switch it off and on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no finished turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop %1 is not read again: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sleeptime was not changed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot connected a second time from %1; its older connection was closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot connected anew, it may have restarted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot connected from %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>THE ROBOT MAY STILL BE MOVING: its link was lost while it drove. Use its own switch. (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link to the robot was lost: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link to the RFID reader was lost: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it was closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a command could not be sent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 more messages were left out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot is docking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot is docking to charge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot is docked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot is undocking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot is idle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot is in error: look at the robot, then switch it off and on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot&apos;s program failed at %1, line %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connected, but nothing heard for 5 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for the robot to connect: switch it on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop %1 is read again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No floor tag was read for %1 s: check the RFID reader and that the AGV stands on tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No floor tag was read at stop %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot did not report the end of its turn in time: check that its wheels are free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The solver gave no answer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot reports an error: look at the robot, then switch it off and on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot is docking or docked: undock it first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot stopped in the middle of a turn: look for what it bumped into</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot was stopped %1 ms late: this computer was busy, the step is about %2 degrees too long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of stops is %1: it must be 8, 12 or 16</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is %2: it must lie between %3 and %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wheel speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shortest dwell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Longest dwell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connected again, but still nothing is heard: no floor tag below the antenna, or the reader has no power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer within %1 s: check the address and that the device has power and Wi-Fi</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connected, but nothing heard for %1 s: no floor tag below the antenna, or the link is dead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing heard for %1 s: the connection is being made anew</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 refuses the connection: the device is on, but nothing listens on that port; check the port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 closed the connection: it was switched off, restarted or serves other clients already</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 closed the connection: it was switched off or restarted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The host &quot;%1&quot; is not known: check the name in the plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 no longer answers: check its power and its Wi-Fi</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not answer: check the address, its power and its Wi-Fi</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be reached (%2): check the cable, the Wi-Fi and the address</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The system forbids a connection to %1: check the firewall</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connection to %1 failed: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is in use: another console or program holds it; end that program or change the port in the plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is forbidden by the system: ports below 1024 need administrator rights; choose a higher port in the plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 does not exist: this computer has no network interface with that address; check the listen address in the plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 port %2 on %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an address: the listen address of the plant file must be one of this computer, such as 127.0.0.1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The simulated plant could not be started: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The simulated plant ended unexpectedly (exit status %1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The simulated plant was ended by signal %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Console</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RFID reader %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Robot %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 unknown type</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 unknown message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bad length</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bad value</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 empty</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 noise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bad UID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bad RSSI</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 truncated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 trailing text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 over-long</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bad tag count</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 sent telemetry that was ignored: the plant file has no robot with that address, or more than one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot is driving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot is driving a segment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot is waiting for a segment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The wheel speed was not changed: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sleeptime %1 ms is written to %2; there it was %3 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sleeptime holds for this session only: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the plant is simulated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::StopTableModel</name>
+    <message>
+        <source>Tag %1, RSSI %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop %1: %2 reads of %3 tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Expected but not seen: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not in the plant file: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Belongs elsewhere: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RSSI %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::VehicleTableModel</name>
+    <message>
+        <source>AGV %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>May be moving</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The connection was lost while the wheels were turning. Go and look before you drive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Battery: %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Temperature: %1 °C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot has not connected. Switch it on; it connects by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Battery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Charge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot is connected but has not reported its battery yet.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::Words</name>
+    <message>
+        <source>mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Silent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Driving a segment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Waiting for a segment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Driving directly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Docking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Docked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undocking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Docking (demo)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not charging</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reconditioning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>charging</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trickle charging</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waiting to charge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>charging fault</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Info</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No turn yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>coming to rest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>reading tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computing the position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finished</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Aborted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>/s</source>
+        <comment>per second</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not connected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>mm/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+</TS>
