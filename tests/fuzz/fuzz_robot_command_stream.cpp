@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuzz/message_stream_properties.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    using agv::protocol::RobotCommand;
+    agv::fuzz::checkMessageStream<RobotCommand>({data, size}, agv::protocol::encodeCommand);
+    return 0;
+}
