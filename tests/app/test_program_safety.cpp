@@ -210,7 +210,8 @@ private slots:
             const bool orderly = number != SIGKILL && number != SIGABRT;
             QCOMPARE(run.program.exitStatus(), orderly ? QProcess::NormalExit : QProcess::CrashExit);
             if (orderly)
-                QCOMPARE(run.program.exitCode(), 128 + number);
+                QVERIFY2(run.program.exitCode() == 128 + number,
+                         "exit code " + QByteArray::number(run.program.exitCode()) + ": " + run.errors);
             QTRY_VERIFY_WITH_TIMEOUT(!run.robot.isConnected(), patience_ms);
             const std::size_t from = std::max(run.cut, run.robot.behindLastMotion());
             QVERIFY(isInterrupted(run.robot, from));
