@@ -540,6 +540,38 @@
         <source>AGV %1 reads tag (RSSI): %2</source>
         <translation>AGV %1 liest Tag (RSSI): %2</translation>
     </message>
+    <message>
+        <source>&amp;Open UWB</source>
+        <translation>UWB ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Open RFID</source>
+        <translation>RFID ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Close UWB</source>
+        <translation>UWB schli&amp;eßen</translation>
+    </message>
+    <message>
+        <source>&amp;Close RFID</source>
+        <translation>RFID schli&amp;eßen</translation>
+    </message>
+    <message>
+        <source>Open the serial port of the UWB unit</source>
+        <translation>Die serielle Schnittstelle der UWB-Einheit öffnen</translation>
+    </message>
+    <message>
+        <source>Open the RFID reader of the chosen row; with none chosen, all readers</source>
+        <translation>Den RFID-Leser der gewählten Zeile öffnen; ist keine gewählt, alle Leser</translation>
+    </message>
+    <message>
+        <source>Close the serial port of the UWB unit</source>
+        <translation>Die serielle Schnittstelle der UWB-Einheit schließen</translation>
+    </message>
+    <message>
+        <source>Close the RFID reader of the chosen row; with none chosen, all readers</source>
+        <translation>Den RFID-Leser der gewählten Zeile schließen; ist keine gewählt, alle Leser</translation>
+    </message>
 </context>
 <context>
     <name>agv::gui::MainWindow</name>
@@ -649,6 +681,36 @@ x %2, y %3</translation>
     <message>
         <source>Map of the plant</source>
         <translation>Karte der Anlage</translation>
+    </message>
+    <message>
+        <source>UWB tag %1</source>
+        <translation>UWB-Tag %1</translation>
+    </message>
+    <message>
+        <source>UWB tag %1, %2</source>
+        <translation>UWB-Tag %1, %2</translation>
+    </message>
+    <message>
+        <source>On AGV %1</source>
+        <translation>Auf AGV %1</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, 95 % within %3 by %4</source>
+        <translation>x %1, y %2, zu 95 % innerhalb %3 mal %4</translation>
+    </message>
+    <message>
+        <source>%1 ranges, %2 of them obstructed</source>
+        <translation>%1 Abstände, davon %2 verdeckt</translation>
+    </message>
+    <message>
+        <source>%1, %2 exchanges missed</source>
+        <translation>%1, %2 Messungen verpasst</translation>
+    </message>
+    <message>
+        <source>UWB anchor %1, %2
+x %3, y %4, height %5</source>
+        <translation>UWB-Anker %1, %2
+x %3, y %4, Höhe %5</translation>
     </message>
 </context>
 <context>
@@ -978,6 +1040,38 @@ x %2, y %3</translation>
     <message>
         <source>Dropped</source>
         <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>UWB</source>
+        <translation>UWB</translation>
+    </message>
+    <message>
+        <source>UWB (%1)</source>
+        <translation>UWB (%1)</translation>
+    </message>
+    <message>
+        <source>Dialect: %1, as the plant file says</source>
+        <translation>Dialekt: %1, laut Anlagendatei</translation>
+    </message>
+    <message>
+        <source>Dialect: %1, found from the reports</source>
+        <translation>Dialekt: %1, an den Meldungen erkannt</translation>
+    </message>
+    <message>
+        <source>Unit: %1, number %2, channel %3, %4</source>
+        <translation>Einheit: %1, Nummer %2, Kanal %3, %4</translation>
+    </message>
+    <message>
+        <source>6.81 Mb/s</source>
+        <translation>6,81 Mb/s</translation>
+    </message>
+    <message>
+        <source>110 kb/s</source>
+        <translation>110 kb/s</translation>
+    </message>
+    <message>
+        <source>Exchanges missed: %1</source>
+        <translation>Verpasste Messungen: %1</translation>
     </message>
 </context>
 <context>
@@ -1393,6 +1487,102 @@ x %2, y %3</translation>
     <message>
         <source>there is no plant file</source>
         <translation>Es gibt keine Anlagendatei</translation>
+    </message>
+    <message>
+        <source>Connected again, but still nothing is heard: no UWB tag is switched on or in reach, or the unit hangs</source>
+        <translation>Wieder verbunden, aber noch immer ist nichts zu hören: Kein UWB-Tag ist eingeschaltet oder in Reichweite, oder die Einheit hängt</translation>
+    </message>
+    <message>
+        <source>Connected, but nothing heard for %1 s: no UWB tag is switched on or in reach</source>
+        <translation>Verbunden, aber seit %1 s ist nichts zu hören: Kein UWB-Tag ist eingeschaltet oder in Reichweite</translation>
+    </message>
+    <message>
+        <source>No answer within %1 s: unplug the unit and plug it in again</source>
+        <translation>Keine Antwort innerhalb von %1 s: die Einheit abziehen und wieder einstecken</translation>
+    </message>
+    <message>
+        <source>The port is not the one of a TREK1000 unit (USB id 0483:5740): nothing is sent to it unless you ask for it</source>
+        <translation>Die Schnittstelle ist nicht die einer TREK1000-Einheit (USB-Kennung 0483:5740): Ohne Aufforderung wird nichts an sie gesendet</translation>
+    </message>
+    <message>
+        <source>The reports are those of a clone (%1): nothing is sent to it unless you ask for it</source>
+        <translation>Die Meldungen sind die eines Nachbaus (%1): Ohne Aufforderung wird nichts an ihn gesendet</translation>
+    </message>
+    <message>
+        <source>The unit did not tell its version and configuration: the age of its ranges is measured from its reports instead</source>
+        <translation>Die Einheit hat Version und Einstellung nicht genannt: Das Alter ihrer Abstände wird stattdessen aus ihren Meldungen bestimmt</translation>
+    </message>
+    <message>
+        <source>The unit is %1: %2 %3, channel %4, %5</source>
+        <translation>Die Einheit ist %1: %2 %3, Kanal %4, %5</translation>
+    </message>
+    <message>
+        <source>anchor</source>
+        <translation>Anker</translation>
+    </message>
+    <message>
+        <source>tag</source>
+        <translation>Tag</translation>
+    </message>
+    <message>
+        <source>listener</source>
+        <translation>Mithörer</translation>
+    </message>
+    <message>
+        <source>Not heard for %1 s: the tag is off or out of reach</source>
+        <translation>Seit %1 s nicht gehört: Das Tag ist aus oder außer Reichweite</translation>
+    </message>
+    <message>
+        <source>Anchor %1 measures this tag, but is not in the plant file: enter where it is</source>
+        <translation>Anker %1 misst dieses Tag, steht aber nicht in der Anlagendatei: dort eintragen, wo er ist</translation>
+    </message>
+    <message>
+        <source>Only %1 of the 3 ranges that a position needs: look for what hides the anchors</source>
+        <translation>Nur %1 der 3 Abstände, die eine Position braucht: nachsehen, was die Anker verdeckt</translation>
+    </message>
+    <message>
+        <source>The ranges fit no position: check the anchors&apos; places in the plant file</source>
+        <translation>Die Abstände passen zu keiner Position: die Orte der Anker in der Anlagendatei prüfen</translation>
+    </message>
+    <message>
+        <source>There is no serial port %1: plug the unit in, or choose another port</source>
+        <translation>Die serielle Schnittstelle %1 gibt es nicht: die Einheit einstecken oder eine andere Schnittstelle wählen</translation>
+    </message>
+    <message>
+        <source>Serial port %1 is in use: another console, terminal or program holds it; end that program</source>
+        <translation>Die serielle Schnittstelle %1 ist belegt: Eine andere Konsole, ein Terminal oder Programm hält sie; dieses Programm beenden</translation>
+    </message>
+    <message>
+        <source>You may not open the serial port %1: install the udev rule %2</source>
+        <translation>Sie dürfen die serielle Schnittstelle %1 nicht öffnen: die udev-Regel %2 einrichten</translation>
+    </message>
+    <message>
+        <source>You may not open the serial port %1: join the group %2 (sudo usermod -aG %3 $USER, then log in anew) or install the udev rule %4</source>
+        <translation>Sie dürfen die serielle Schnittstelle %1 nicht öffnen: der Gruppe %2 beitreten (sudo usermod -aG %3 $USER, dann neu anmelden) oder die udev-Regel %4 einrichten</translation>
+    </message>
+    <message>
+        <source>%1 is no serial port: choose another port</source>
+        <translation>%1 ist keine serielle Schnittstelle: eine andere wählen</translation>
+    </message>
+    <message>
+        <source>Serial port %1 is gone: the unit was unplugged or lost its power; plug it in again</source>
+        <translation>Die serielle Schnittstelle %1 ist weg: Die Einheit wurde abgezogen oder hat keinen Strom; sie wieder einstecken</translation>
+    </message>
+    <message>
+        <source>Serial port %1 failed: %2</source>
+        <translation>Die serielle Schnittstelle %1 ist ausgefallen: %2</translation>
+    </message>
+    <message>
+        <source>USB %1, serial number %2</source>
+        <translation>USB %1, Seriennummer %2</translation>
+    </message>
+    <message>
+        <source>UWB</source>
+        <translation>UWB</translation>
+    </message>
+    <message>
+        <source>%1 bad field</source>
+        <translation>%1 falsches Feld</translation>
     </message>
 </context>
 <context>

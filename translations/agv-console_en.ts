@@ -540,6 +540,38 @@
         <source>AGV %1 reads tag (RSSI): %2</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Open UWB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Open RFID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Close UWB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Close RFID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the serial port of the UWB unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open the RFID reader of the chosen row; with none chosen, all readers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the serial port of the UWB unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close the RFID reader of the chosen row; with none chosen, all readers</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>agv::gui::MainWindow</name>
@@ -644,6 +676,35 @@ x %2, y %3</source>
     </message>
     <message>
         <source>Map of the plant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB tag %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB tag %1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>On AGV %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x %1, y %2, 95 % within %3 by %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ranges, %2 of them obstructed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2 exchanges missed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB anchor %1, %2
+x %3, y %4, height %5</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -973,6 +1034,38 @@ x %2, y %3</source>
     </message>
     <message>
         <source>Dropped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB (%1)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dialect: %1, as the plant file says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dialect: %1, found from the reports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit: %1, number %2, channel %3, %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>6.81 Mb/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>110 kb/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exchanges missed: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1388,6 +1481,102 @@ x %2, y %3</source>
     </message>
     <message>
         <source>there is no plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connected again, but still nothing is heard: no UWB tag is switched on or in reach, or the unit hangs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Connected, but nothing heard for %1 s: no UWB tag is switched on or in reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No answer within %1 s: unplug the unit and plug it in again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The port is not the one of a TREK1000 unit (USB id 0483:5740): nothing is sent to it unless you ask for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reports are those of a clone (%1): nothing is sent to it unless you ask for it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The unit did not tell its version and configuration: the age of its ranges is measured from its reports instead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The unit is %1: %2 %3, channel %4, %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>anchor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>listener</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not heard for %1 s: the tag is off or out of reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchor %1 measures this tag, but is not in the plant file: enter where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only %1 of the 3 ranges that a position needs: look for what hides the anchors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ranges fit no position: check the anchors&apos; places in the plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no serial port %1: plug the unit in, or choose another port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serial port %1 is in use: another console, terminal or program holds it; end that program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You may not open the serial port %1: install the udev rule %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You may not open the serial port %1: join the group %2 (sudo usermod -aG %3 $USER, then log in anew) or install the udev rule %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no serial port: choose another port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serial port %1 is gone: the unit was unplugged or lost its power; plug it in again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serial port %1 failed: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>USB %1, serial number %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 bad field</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -213,6 +213,19 @@ std::expected<CalibrateArguments, ParseExit> parseCalibrateArguments(const QStri
     return result;
 }
 
+namespace {
+
+/// All but "unknown".
+QStringList uwbDialectNames()
+{
+    QStringList names;
+    for (std::size_t i = 1; i < uwbDialectCount; ++i)
+        names << QString::fromLatin1(toText(static_cast<UwbDialect>(i)));
+    return names;
+}
+
+} // namespace
+
 std::expected<SimulateArguments, ParseExit> parseSimulateArguments(const QStringList& arguments)
 {
     OptionReader reader(
@@ -223,6 +236,9 @@ std::expected<SimulateArguments, ParseExit> parseSimulateArguments(const QString
     reader.addValue("console", "HOST:PORT", "Where the robots connect; without it the plant file's address.");
     reader.addValue("telemetry-port", "PORT", "UDP port of the console; without it the plant file's.");
     reader.addValue("reader-ports", "KIND", "fixed: those of the plant file; free: any (this is the rule).");
+    reader.addValue("uwb-link", "PATH", "Symbolic link to the serial device of the UWB kit.");
+    reader.addValue("uwb-dialect", "NAME", "How the UWB kit writes: " + uwbDialectNames().join(", ") + ".");
+    reader.addFlag("uwb-slow", "UWB at 110 kb/s: 3.57 reports a second and tag instead of 10.");
     reader.addValue("truth-log", "FILE", "Write the true poses as CSV.");
     reader.addFlag("parent-guard", "End with standard input, whatever it is.");
     addEmulatorOptions(reader);
@@ -239,6 +255,11 @@ std::expected<SimulateArguments, ParseExit> parseSimulateArguments(const QString
     if (const auto port = reader.integer("telemetry-port", 1, 65535))
         result.telemetryPort = static_cast<std::uint16_t>(*port);
     result.fixedReaderPorts = reader.choice("reader-ports", {"fixed", "free"}) == "fixed";
+    if (const auto link = reader.text("uwb-link"))
+        result.uwbLink = link->toStdString();
+    if (const auto dialect = reader.choice("uwb-dialect", uwbDialectNames()))
+        result.uwbDialect = parseUwbDialect(dialect->toStdString()).value_or(UwbDialect::Trek);
+    result.uwbSlow = reader.isSet("uwb-slow");
     if (const auto file = reader.text("truth-log"))
         result.truthLog = file->toStdString();
     result.parentGuard = reader.isSet("parent-guard");

@@ -77,6 +77,8 @@ void wire(gui::MainWindow& window, session::Session& session)
     using session::Session;
     QObject::connect(&window, &MainWindow::openReaderRequested, &session, &Session::openReader);
     QObject::connect(&window, &MainWindow::closeReaderRequested, &session, &Session::closeReader);
+    QObject::connect(&window, &MainWindow::openUwbRequested, &session, &Session::openUwb);
+    QObject::connect(&window, &MainWindow::closeUwbRequested, &session, &Session::closeUwb);
     QObject::connect(&window, &MainWindow::startTurnRequested, &session, &Session::startTurn);
     QObject::connect(&window, &MainWindow::abortTurnRequested, &session,
                      [&session](int robot) { session.abortTurn(robot, "The operator aborted it"); });
@@ -159,6 +161,7 @@ private:
         for (const AgvConfig& agv : m_plant.layout.agvs)
             QMetaObject::invokeMethod(session,
                                       [session, robot = agv.id.number] { session->openReader(robot); });
+        QMetaObject::invokeMethod(session, &session::Session::openUwb);
         m_window->show();
     }
 

@@ -17,7 +17,7 @@ session::SessionOptions guarded(session::SessionOptions options, RobotGuard* gua
 
 SessionThread::SessionThread(PlantLayout plant, session::SessionOptions options)
     : m_guard(new RobotGuard),
-      m_session(new session::Session(std::move(plant), guarded(options, m_guard)))
+      m_session(new session::Session(std::move(plant), guarded(std::move(options), m_guard)))
 {
     m_thread.setObjectName("session");
     m_guard->moveToThread(&m_thread);

@@ -88,7 +88,10 @@ int serve(const SimulateArguments& arguments)
     simserver::PlantServer server(std::move(*plant), {.seed = arguments.seed,
                                                       .fixedReaderPorts = arguments.fixedReaderPorts,
                                                       .console = arguments.console,
-                                                      .telemetryPort = arguments.telemetryPort});
+                                                      .telemetryPort = arguments.telemetryPort,
+                                                      .uwbLink = arguments.uwbLink,
+                                                      .uwbDialect = arguments.uwbDialect,
+                                                      .uwbFast = !arguments.uwbSlow});
     std::optional<simserver::TruthLog> truthLog;
     if (arguments.truthLog) {
         auto opened = simserver::TruthLog::open(*arguments.truthLog);

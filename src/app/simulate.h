@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/plant_layout.h"
+#include "core/uwb_unit.h"
 #include "simulation/emulator_file.h"
 
 #include <cstdint>
@@ -19,6 +20,9 @@ struct SimulateArguments {
     std::optional<std::uint16_t> telemetryPort; ///< --telemetry-port; empty: the plant file's
     bool fixedReaderPorts = false;              ///< --reader-ports fixed
     std::optional<double> batteryPercent;       ///< --battery, 0..100; empty: drawn per AGV
+    std::optional<std::string> uwbLink;         ///< --uwb-link: path of a symbolic link to the UWB port
+    UwbDialect uwbDialect = UwbDialect::Trek;   ///< --uwb-dialect
+    bool uwbSlow = false;                       ///< --uwb-slow: 3.57 reports a second and tag, else 10
     std::optional<std::string> truthLog;        ///< --truth-log: CSV of true poses
     std::optional<std::string> controlSocket; ///< --control: path of a local socket that takes commands, too
     bool parentGuard = false; ///< --parent-guard: end with standard input, whatever it is; a pipe always does

@@ -43,6 +43,8 @@ SimulatedPlant::SimulatedPlant(const PlantChoice& choice, QObject* parent)
     : QObject(parent),
       m_arguments(argumentsFor(choice))
 {
+    if (m_folder.isValid())
+        m_arguments << "--uwb-link" << m_folder.filePath("uwb");
     m_process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     // A process group of its own: Ctrl-C is for the console, which stops the robots before it ends them.
     m_process.setChildProcessModifier([] { ::setpgid(0, 0); });
@@ -78,6 +80,9 @@ PlantLayout SimulatedPlant::adapted(PlantLayout layout) const
                       static_cast<std::uint16_t>(reader["port"].toInt())};
         agv.robotHost = entryOf(robots, agv.id.number)["host"].toString().toStdString();
     }
+    const QJsonObject uwb = m_readyMessage["uwb"].toObject();
+    const QString uwbPort = uwb.contains("link") ? uwb["link"].toString() : uwb["path"].toString();
+    layout.uwb.port = {uwbPort.toStdString(), trekUsbId, {}};
     layout.robotListen = {"127.0.0.1", 0};
     layout.telemetryPort = 0;
     return layout;

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QProcess>
 #include <QString>
+#include <QTemporaryDir>
 
 #include "app/command_line.h"
 #include "core/plant_layout.h"
@@ -51,6 +52,7 @@ private:
     void takeMessage(const QJsonObject& message);
     void onEnd();
 
+    QTemporaryDir m_folder; ///< of the link to the UWB port, whose own path changes at each plugging
     QStringList m_arguments;
     QProcess m_process;
     bool m_ready = false;

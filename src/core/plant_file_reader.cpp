@@ -6,6 +6,7 @@
 #include "core/plant_file_parts.h"
 #include "core/turn.h"
 #include "core/units.h"
+#include "core/uwb_section_reader.h"
 
 #include <algorithm>
 #include <limits>
@@ -61,6 +62,7 @@ public:
         readEach(fields, "agvs", m_findings, [this](JsonFields& item) { readAgv(item); });
         readRssiTable(fields);
         readEach(fields, "anchors", m_findings, [this](JsonFields& item) { readAnchor(item); });
+        UwbSectionReader(m_findings).read(fields, m_plant);
         fields.finish();
         return std::move(m_plant);
     }

@@ -6,6 +6,7 @@
 #include "core/ip_address.h"
 #include "core/json_merge.h"
 #include "core/plant_file_reader.h"
+#include "core/uwb_section_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,6 +92,22 @@ Json toJson(const UwbAnchor& anchor)
             {"y_mm", mm(anchor.y)}, {"z_mm", mm(anchor.z)},  {"shown", anchor.shown}};
 }
 
+Json toJson(const UwbTag& tag)
+{
+    return {{"id", tag.id},        {"label", tag.label},          {"agv", tag.agv ? tag.agv->number : 0},
+            {"z_mm", mm(tag.z_m)}, {"along_mm", mm(tag.mount.x)}, {"across_mm", mm(tag.mount.y)}};
+}
+
+Json toJson(const UwbSettings& uwb)
+{
+    return {{"port", uwb.port.path},
+            {"usb_id", uwb.port.usb ? toText(*uwb.port.usb) : std::string()},
+            {"serial_number", uwb.port.serialNumber},
+            {"dialect", uwb.dialect ? std::string(toText(*uwb.dialect)) : std::string(detectedDialect)},
+            {"tag_height_mm", mm(uwb.tagHeight_m)},
+            {"tags", list(uwb.tags, [](const UwbTag& tag) { return toJson(tag); })}};
+}
+
 /// The grid that makes exactly the first tags, found from the tags alone.
 std::optional<TagGridSpec> detectGrid(const std::vector<FloorTag>& tags)
 {
@@ -154,6 +171,7 @@ Json toJson(const PlantLayout& plant, const Json* original)
             {"agvs", list(plant.agvs, each)},
             {"rssi_table", list(plant.rssiTable, each)},
             {"anchors", list(plant.anchors, each)},
+            {"uwb", toJson(plant.uwb)},
             {"listen", {{"robots", toText(plant.robotListen)}, {"telemetry_port", plant.telemetryPort}}}};
 }
 
@@ -195,6 +213,16 @@ Json defaultAnchor(const Json& fresh, std::size_t)
     return json;
 }
 
+Json defaultUwbTag(const Json& fresh, double height_m)
+{
+    UwbTag tag;
+    tag.label = "T" + numberIdentity(fresh);
+    tag.z_m = height_m;
+    Json json = toJson(tag);
+    json.erase("id"); // has no default
+    return json;
+}
+
 Json defaultStation(const Json&, std::size_t)
 {
     Json json = toJson(Station{});
@@ -204,7 +232,7 @@ Json defaultStation(const Json&, std::size_t)
 }
 
 /// Every list section in the shape of the original's.
-void mergeLists(const Json& original, Json& fresh, std::size_t gridTags, const std::string& console)
+void mergeLists(const Json& original, Json& fresh, std::size_t gridTags, const PlantLayout& layout)
 {
     const auto merge = [&](const char* pointer, const IdentityOf& identity, const DefaultsOf& defaults) {
         const Json::json_pointer place(pointer);
@@ -218,9 +246,11 @@ void mergeLists(const Json& original, Json& fresh, std::size_t gridTags, const s
     merge("/stations", nameIdentity, defaultStation);
     merge("/obstacles", nameIdentity, unnamed);
     merge("/agvs", numberIdentity,
-          [&console](const Json& agv, std::size_t) { return defaultAgv(agv, console); });
+          [&](const Json& agv, std::size_t) { return defaultAgv(agv, layout.robotListen.host); });
     merge("/rssi_table", [](const Json&) { return std::string(); }, none);
     merge("/anchors", numberIdentity, defaultAnchor);
+    merge("/uwb/tags", numberIdentity,
+          [&](const Json& tag, std::size_t) { return defaultUwbTag(tag, layout.uwb.tagHeight_m); });
 }
 
 /// The parts of "floor_tags" that the fresh tree no longer has; they are not unknown keys.
@@ -242,7 +272,7 @@ Json plantTree(const PlantLayout& layout, const Json* original)
         return fresh;
     const std::size_t listTags =
         fresh["floor_tags"].contains("list") ? fresh["floor_tags"]["list"].size() : 0;
-    mergeLists(*original, fresh, layout.floorTags.size() - listTags, layout.robotListen.host);
+    mergeLists(*original, fresh, layout.floorTags.size() - listTags, layout);
     Json defaults = toJson(PlantLayout{}, nullptr);
     defaults.erase("size"); // has no default
     defaults["size"] = {{"origin_mm", point({})}};

@@ -3,6 +3,7 @@
 
 #include "core/geometry.h"
 #include "core/ids.h"
+#include "core/uwb_settings.h"
 
 #include <cstdint>
 #include <optional>
@@ -100,7 +101,8 @@ struct PlantLayout {
     std::vector<Obstacle> obstacles;
     std::vector<AgvConfig> agvs;
     RssiTable rssiTable = seedRssiTable();
-    std::vector<UwbAnchor> anchors;
+    std::vector<UwbAnchor> anchors; ///< with none UWB is not used
+    UwbSettings uwb;
     Endpoint robotListen{"127.0.0.1", 2001};
     std::uint16_t telemetryPort = 2000; ///< UDP, same address as robotListen
     friend bool operator==(const PlantLayout&, const PlantLayout&) = default;

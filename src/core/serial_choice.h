@@ -35,6 +35,15 @@ struct SerialPortChoice {
     friend bool operator==(const SerialPortChoice&, const SerialPortChoice&) = default;
 };
 
+/// A serial port of this computer, to choose from.
+struct SerialPortInfo {
+    std::string path;         ///< what is opened: "/dev/ttyACM0"
+    std::string description;  ///< of the device, may be empty
+    std::optional<UsbId> usb; ///< empty: no USB device, or the system does not tell
+    std::string serialNumber; ///< of the USB device, may be empty
+    friend bool operator==(const SerialPortInfo&, const SerialPortInfo&) = default;
+};
+
 /// "/dev/ttyACM0", "USB 0483:5740" or "USB 0483:5740, serial number 3061"
 std::string toText(const SerialPortChoice& choice);
 

@@ -38,10 +38,14 @@ LinksPanel::LinksPanel(QWidget* parent) : QWidget(parent), m_ui(std::make_unique
     m_ui->readingLabel->hide();
 
     connect(m_ui->openButton, &QPushButton::clicked, this, [this] {
+        if (isUwbChosen())
+            emit openUwbRequested();
         for (int robot : chosenRobots())
             emit openReaderRequested(robot);
     });
     connect(m_ui->closeButton, &QPushButton::clicked, this, [this] {
+        if (isUwbChosen())
+            emit closeUwbRequested();
         for (int robot : chosenRobots())
             emit closeReaderRequested(robot);
     });
@@ -93,9 +97,28 @@ std::vector<int> LinksPanel::chosenRobots() const
         for (int row = 0; row < m_links.rowCount(); ++row)
             robots.push_back(m_links.index(row, 0).data(LinkTableModel::RobotRole).toInt());
     }
+    std::erase(robots, 0); // the UWB unit
     std::sort(robots.begin(), robots.end());
     robots.erase(std::unique(robots.begin(), robots.end()), robots.end());
     return robots;
+}
+
+bool LinksPanel::isUwbChosen() const
+{
+    const QModelIndexList rows = m_ui->linkTable->selectionModel()->selectedRows();
+    return rows.size() == 1 &&
+           rows.front().data(LinkTableModel::KindRole).toInt() == static_cast<int>(LinkTableModel::Kind::Uwb);
+}
+
+/// Whether the buttons are for the link of this row.
+bool LinksPanel::isChosen(const QModelIndex& row) const
+{
+    const auto kind = static_cast<LinkTableModel::Kind>(row.data(LinkTableModel::KindRole).toInt());
+    if (isUwbChosen() || kind != LinkTableModel::Kind::Reader)
+        return isUwbChosen() && kind == LinkTableModel::Kind::Uwb;
+    const std::vector<int> robots = chosenRobots();
+    return std::find(robots.begin(), robots.end(), row.data(LinkTableModel::RobotRole).toInt()) !=
+           robots.end();
 }
 
 void LinksPanel::read(bool on)
@@ -139,14 +162,10 @@ QString LinksPanel::readingOf(const AgvSnapshot& agv) const
 
 void LinksPanel::updateButtons()
 {
-    const std::vector<int> robots = chosenRobots();
     bool canOpen = false;
     bool canClose = false;
     for (int row = 0; row < m_links.rowCount(); ++row) {
-        const QModelIndex index = m_links.index(row, 0);
-        const int robot = index.data(LinkTableModel::RobotRole).toInt();
-        if (!index.data(LinkTableModel::IsReaderRole).toBool() ||
-            std::find(robots.begin(), robots.end(), robot) == robots.end())
+        if (!isChosen(m_links.index(row, 0)))
             continue;
         const LinkState state = m_links.link(row).state;
         canOpen = canOpen || state == LinkState::Down || state == LinkState::Failed;
@@ -154,6 +173,15 @@ void LinksPanel::updateButtons()
     }
     m_ui->openButton->setEnabled(canOpen);
     m_ui->closeButton->setEnabled(canClose);
+    const bool uwb = isUwbChosen();
+    m_ui->openButton->setText(uwb ? tr("&Open UWB") : tr("&Open RFID"));
+    m_ui->closeButton->setText(uwb ? tr("&Close UWB") : tr("&Close RFID"));
+    m_ui->openButton->setToolTip(
+        uwb ? tr("Open the serial port of the UWB unit")
+            : tr("Open the RFID reader of the chosen row; with none chosen, all readers"));
+    m_ui->closeButton->setToolTip(
+        uwb ? tr("Close the serial port of the UWB unit")
+            : tr("Close the RFID reader of the chosen row; with none chosen, all readers"));
 }
 
 void LinksPanel::retranslate()
@@ -174,6 +202,7 @@ void LinksPanel::changeEvent(QEvent* event)
     if (event->type() == QEvent::LanguageChange) {
         m_ui->retranslateUi(this);
         retranslate();
+        updateButtons();
     }
     QWidget::changeEvent(event);
 }

@@ -17,7 +17,8 @@ class LinksPanel;
 namespace agv::gui {
 
 /// Every connection with its state, address, rate and age; every AGV with its battery and state; the peers
-/// that were refused. Opens and closes RFID readers.
+/// that were refused. Opens and closes RFID readers
+/// and the UWB unit.
 class LinksPanel : public QWidget {
     Q_OBJECT
 public:
@@ -31,6 +32,8 @@ public:
 signals:
     void openReaderRequested(int robot);
     void closeReaderRequested(int robot);
+    void openUwbRequested();
+    void closeUwbRequested();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -43,6 +46,8 @@ private:
     QString readingOf(const AgvSnapshot& agv) const;
     /// Robots whose reader is chosen; all when no row is.
     std::vector<int> chosenRobots() const;
+    bool isUwbChosen() const; ///< and nothing else
+    bool isChosen(const QModelIndex& row) const;
 
     std::unique_ptr<Ui::LinksPanel> m_ui;
     Theme m_theme = Theme::light();

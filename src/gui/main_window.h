@@ -31,6 +31,8 @@ public slots:
 
 signals:
     void openReaderRequested(int robot);
+    void openUwbRequested();
+    void closeUwbRequested();
     void closeReaderRequested(int robot);
     void startTurnRequested(int robot, const agv::TurnParameters& parameters);
     void abortTurnRequested(int robot);

@@ -93,6 +93,8 @@ void MainWindow::Private::connectActions()
 
     connect(ui.links, &LinksPanel::openReaderRequested, q, &MainWindow::openReaderRequested);
     connect(ui.links, &LinksPanel::closeReaderRequested, q, &MainWindow::closeReaderRequested);
+    connect(ui.links, &LinksPanel::openUwbRequested, q, &MainWindow::openUwbRequested);
+    connect(ui.links, &LinksPanel::closeUwbRequested, q, &MainWindow::closeUwbRequested);
     CalibrationPanel* calibration = ui.calibration;
     connect(calibration, &CalibrationPanel::startTurnRequested, q, &MainWindow::startTurnRequested);
     connect(calibration, &CalibrationPanel::abortTurnRequested, q, &MainWindow::abortTurnRequested);

@@ -20,10 +20,15 @@ LinkTableModel::LinkTableModel(QObject* parent) : QAbstractTableModel(parent) {}
 std::vector<LinkTableModel::Row> LinkTableModel::rowsOf(const PlantSnapshot& snapshot)
 {
     std::vector<Row> rows;
-    rows.reserve(snapshot.agvs.size() * 2);
+    rows.reserve(snapshot.agvs.size() * 2 + 1);
     for (const AgvSnapshot& agv : snapshot.agvs) {
-        rows.push_back({agv.id.number, true, agv.readerLink});
-        rows.push_back({agv.id.number, false, agv.robotLink});
+        rows.push_back({agv.id.number, Kind::Reader, agv.readerLink, {}});
+        rows.push_back({agv.id.number, Kind::Robot, agv.robotLink, {}});
+    }
+    if (snapshot.uwb) {
+        rows.push_back({0, Kind::Uwb, snapshot.uwb->link, snapshot.uwb});
+        rows.back().uwb->link = {};
+        rows.back().uwb->tags.clear();
     }
     return rows;
 }
@@ -67,7 +72,12 @@ QString LinkTableModel::text(const Row& row, int column)
     const LinkSnapshot& link = row.link;
     switch (column) {
     case Connection:
-        return row.isReader ? tr("AGV %1 RFID").arg(row.robot) : tr("AGV %1 robot").arg(row.robot);
+        if (row.kind == Kind::Uwb)
+            return row.uwb->dialect == UwbDialect::Unknown
+                       ? tr("UWB")
+                       : tr("UWB (%1)").arg(QString::fromLatin1(toText(row.uwb->dialect)));
+        return row.kind == Kind::Reader ? tr("AGV %1 RFID").arg(row.robot)
+                                        : tr("AGV %1 robot").arg(row.robot);
     case State:
         return Words::linkState(link.state);
     case Data:
@@ -101,7 +111,31 @@ QString LinkTableModel::toolTip(const Row& row)
     lines << tr("Received: %1 messages").arg(QLocale().toString(static_cast<qulonglong>(link.received)));
     lines << (link.dropDetail.empty() ? tr("Dropped: none")
                                       : tr("Dropped: %1").arg(Messages::drops(link.dropDetail)));
+    if (row.uwb)
+        lines << uwbLines(*row.uwb);
     return lines.join(QLatin1Char('\n'));
+}
+
+QStringList LinkTableModel::uwbLines(const UwbSnapshot& uwb)
+{
+    const QString dialect = QString::fromLatin1(toText(uwb.dialect));
+    QStringList lines;
+    if (uwb.dialectIsChosen)
+        lines << tr("Dialect: %1, as the plant file says").arg(dialect);
+    else if (uwb.dialect != UwbDialect::Unknown)
+        lines << tr("Dialect: %1, found from the reports").arg(dialect);
+    if (uwb.unit) {
+        const UwbConfiguration& unit = uwb.unit->configuration;
+        lines << tr("Unit: %1, number %2, channel %3, %4")
+                     .arg(QString::fromStdString(uwb.unit->version))
+                     .arg(unit.address)
+                     .arg(unit.channel)
+                     .arg(unit.fastMode ? tr("6.81 Mb/s") : tr("110 kb/s"));
+    } else if (!uwb.unitNote.empty()) {
+        lines << Messages::sentence(uwb.unitNote);
+    }
+    lines << tr("Exchanges missed: %1").arg(QLocale().toString(static_cast<qulonglong>(uwb.missed)));
+    return lines;
 }
 
 QVariant LinkTableModel::data(const QModelIndex& index, int role) const
@@ -120,8 +154,8 @@ QVariant LinkTableModel::data(const QModelIndex& index, int role) const
                                                                         : Qt::AlignLeft | Qt::AlignVCenter));
     case RobotRole:
         return row.robot;
-    case IsReaderRole:
-        return row.isReader;
+    case KindRole:
+        return static_cast<int>(row.kind);
     case LinkStateRole:
         return static_cast<int>(row.link.state);
     case DetailRole:

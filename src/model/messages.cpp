@@ -102,6 +102,28 @@ const char* const patterns[] = {
                       "Connected, but nothing heard for %1 s: no floor tag below the antenna, or the link is "
                       "dead"),
     QT_TRANSLATE_NOOP("agv::model::Messages", "Nothing heard for %1 s: the connection is being made anew"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Connected again, but still nothing is heard: no UWB tag is "
+                                              "switched on or in reach, or the unit hangs"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "Connected, but nothing heard for %1 s: no UWB tag is switched on or in reach"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "No answer within %1 s: unplug the unit and plug it in again"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The port is not the one of a TREK1000 unit (USB id "
+                                              "0483:5740): nothing is sent to it unless you ask for it"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "The reports are those of a clone (%1): nothing is sent to it unless you ask for it"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The unit did not tell its version and configuration: the age "
+                                              "of its ranges is measured from its reports instead"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The unit is %1: %2 %3, channel %4, %5"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "anchor"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "tag"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "listener"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Not heard for %1 s: the tag is off or out of reach"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "Anchor %1 measures this tag, but is not in the plant file: enter where it is"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "Only %1 of the 3 ranges that a position needs: look for what hides the anchors"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "The ranges fit no position: check the anchors' places in the plant file"),
     // link
     QT_TRANSLATE_NOOP("agv::model::Messages",
                       "%1 refuses the connection: the device is on, but nothing listens on that port; check "
@@ -135,6 +157,21 @@ const char* const patterns[] = {
     QT_TRANSLATE_NOOP("agv::model::Messages",
                       "\"%1\" is not an address: the listen address of the plant file must be one of this "
                       "computer, such as 127.0.0.1"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "There is no serial port %1: plug the unit in, or choose another port"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "Serial port %1 is in use: another console, terminal or program holds it; end that program"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "You may not open the serial port %1: install the udev rule %2"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "You may not open the serial port %1: join the group %2 (sudo usermod -aG %3 $USER, "
+                      "then log in anew) or install the udev rule %4"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 is no serial port: choose another port"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "Serial port %1 is gone: the unit was unplugged or lost its power; plug it in again"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Serial port %1 failed: %2"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "USB %1, serial number %2"),
     // app
     QT_TRANSLATE_NOOP("agv::model::Messages", "Sleeptime %1 ms is written to %2; there it was %3 ms"),
     QT_TRANSLATE_NOOP("agv::model::Messages", "The sleeptime holds for this session only: %1"),
@@ -150,6 +187,7 @@ const char* const sources[] = {
     QT_TRANSLATE_NOOP("agv::model::Messages", "RFID reader %1"),
     QT_TRANSLATE_NOOP("agv::model::Messages", "Robot %1"),
     QT_TRANSLATE_NOOP("agv::model::Messages", "AGV %1"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "UWB"),
 };
 
 const char* const dropWords[] = {
@@ -165,6 +203,7 @@ const char* const dropWords[] = {
     QT_TRANSLATE_NOOP("agv::model::Messages", "%1 trailing text"),
     QT_TRANSLATE_NOOP("agv::model::Messages", "%1 over-long"),
     QT_TRANSLATE_NOOP("agv::model::Messages", "%1 bad tag count"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "%1 bad field"),
 };
 
 constexpr int deepest = 4; ///< a sentence in a sentence in a sentence; ends what could only be a loop

@@ -8,9 +8,12 @@ namespace agv::model {
 
 Ellipse95 ellipse95(const PoseCovariance& covariance)
 {
-    const double xx = covariance[0];
-    const double xy = covariance[1];
-    const double yy = covariance[4];
+    return ellipse95(PositionCovariance{covariance[0], covariance[1], covariance[4]});
+}
+
+Ellipse95 ellipse95(const PositionCovariance& covariance)
+{
+    const auto [xx, xy, yy] = covariance;
     const double mean = 0.5 * (xx + yy);
     const double spread = std::hypot(0.5 * (xx - yy), xy);
     const double scale = chiSquare95TwoDof;

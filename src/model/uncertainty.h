@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry.h"
+#include "core/snapshot.h"
 
 namespace agv::model {
 
@@ -21,5 +22,6 @@ struct Ellipse95 {
 /// From the position block of `covariance`; eigenvalues of a symmetric 2x2 matrix in closed form. A block
 /// that is not positive semi-definite is clamped to zero.
 Ellipse95 ellipse95(const PoseCovariance& covariance);
+Ellipse95 ellipse95(const PositionCovariance& covariance);
 
 } // namespace agv::model

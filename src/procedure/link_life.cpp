@@ -2,16 +2,12 @@
 #include "procedure/link_life.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdio>
 #include <utility>
 
 namespace agv::procedure {
 namespace {
-
-constexpr std::array<Duration, 4> backOff{std::chrono::milliseconds(500), std::chrono::seconds(1),
-                                          std::chrono::seconds(2), std::chrono::seconds(5)};
 
 std::string secondsText(Duration duration)
 {
@@ -50,9 +46,7 @@ LinkAction LinkLife::connected(Time now)
         return LinkAction::None;
     if (m_mute) {
         m_state = LinkState::Silent;
-        m_reason =
-            "Connected again, but still nothing is heard: no floor tag below the antenna, or the reader "
-            "has no power";
+        m_reason = "Connected again, but still nothing is heard: " + m_parameters.hints.stillSilent;
         m_deadline = now + m_parameters.muteLostAfter;
     } else {
         m_state = LinkState::Up;
@@ -95,13 +89,13 @@ LinkAction LinkLife::onTimer(Time now)
     switch (m_state) {
     case LinkState::Opening:
         m_mute = false;
-        return wait("No answer within " + secondsText(m_parameters.connectTimeout) +
-                        ": check the address and that the device has power and Wi-Fi",
+        return wait("No answer within " + secondsText(m_parameters.connectTimeout) + ": " +
+                        m_parameters.hints.noAnswer,
                     now);
     case LinkState::Up:
         m_state = LinkState::Silent;
-        m_reason = "Connected, but nothing heard for " + secondsText(m_parameters.silentAfter) +
-                   ": no floor tag below the antenna, or the link is dead";
+        m_reason = "Connected, but nothing heard for " + secondsText(m_parameters.silentAfter) + ": " +
+                   m_parameters.hints.silent;
         m_deadline = *m_deadline + (m_parameters.lostAfter - m_parameters.silentAfter);
         return LinkAction::None;
     case LinkState::Silent: {
@@ -127,11 +121,11 @@ std::optional<Time> LinkLife::retryAt() const
 
 LinkAction LinkLife::wait(std::string reason, Time now)
 {
-    const auto step = std::min(static_cast<std::size_t>(m_failures), backOff.size() - 1);
+    const auto step = std::min(static_cast<std::size_t>(m_failures), m_parameters.backOff.size() - 1);
     ++m_failures;
     m_state = LinkState::Waiting;
     m_reason = std::move(reason);
-    m_deadline = now + backOff[step];
+    m_deadline = now + m_parameters.backOff[step];
     return LinkAction::Close;
 }
 

@@ -6,8 +6,17 @@
 
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace agv::procedure {
+
+/// What to look for, by the kind of device; the ends of sentences. Those here are of an RFID reader.
+struct LinkHints {
+    std::string noAnswer = "check the address and that the device has power and Wi-Fi";
+    std::string silent = "no floor tag below the antenna, or the link is dead";
+    std::string stillSilent = "no floor tag below the antenna, or the reader has no power";
+};
 
 struct LinkLifeParameters {
     Duration connectTimeout = std::chrono::seconds(3);
@@ -16,6 +25,10 @@ struct LinkLifeParameters {
     /// The same for a connection that was remade and is silent still. A fresh one is hardly half-open; more
     /// likely no tag lies below the antenna, and each remaking would miss the first reads after that.
     Duration muteLostAfter = std::chrono::seconds(20);
+    /// Between tries, rising; the last one goes on. Not empty.
+    std::vector<Duration> backOff{std::chrono::milliseconds(500), std::chrono::seconds(1),
+                                  std::chrono::seconds(2), std::chrono::seconds(5)};
+    LinkHints hints = {};
 };
 
 /// What the caller must do with the transport.
@@ -39,7 +52,7 @@ enum class LinkAction { None, Open, Close };
 /// was closed for its silence: until data arrives the new one counts as Silent, not as Up.
 class LinkLife {
 public:
-    explicit LinkLife(LinkLifeParameters parameters = {}) : m_parameters(parameters) {}
+    explicit LinkLife(LinkLifeParameters parameters = {}) : m_parameters(std::move(parameters)) {}
 
     LinkAction open(Time now);
     LinkAction close();

@@ -12,14 +12,6 @@
 /// The settings files of the program DecaRangeRTLS.
 namespace agv::recording {
 
-/// What is added to the ranges between a tag and an anchor.
-struct RangeCorrection {
-    int anchor = 0;
-    int tag = 0;
-    double offset_m = 0.0;
-    friend bool operator==(const RangeCorrection&, const RangeCorrection&) = default;
-};
-
 /// TREKanc_config.xml: <config><anc ID="0" label="A0" x="0" y="0" z="2" t0="0" ... t7="0"/></config>,
 /// metres, corrections in cm.
 struct TrekAnchorConfig {

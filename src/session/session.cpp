@@ -8,6 +8,7 @@
 #include "session/agv_line.h"
 #include "session/event_log.h"
 #include "session/robot_link.h"
+#include "session/uwb_line.h"
 #include "session/wall_clock.h"
 
 #include <QTimer>
@@ -40,6 +41,7 @@ public:
 
     void addLine(const AgvConfig& config);
     void wireServer();
+    void addUwb();
     void listen();
     void listenFailed(const std::string& trouble);
     void refuse(const QString& address, const char* what);
@@ -59,6 +61,7 @@ public:
     QTimer* frameTimer;
     QTimer* listenTimer;
     link::StrangerWatch telemetryStrangers;
+    UwbLine* uwb = nullptr;        ///< null without anchors; owned (QObject child of the session)
     std::map<int, AgvLine*> lines; ///< owned (QObject children of the session)
     std::vector<std::string> refusedPeers;
     std::string listening = "Not listening yet";
@@ -69,7 +72,7 @@ public:
 Session::Private::Private(Session& owner, PlantLayout layout, SessionOptions sessionOptions)
     : q(owner),
       plant(std::move(layout)),
-      options(sessionOptions),
+      options(std::move(sessionOptions)),
       events([this](const EventEntry& entry) { emit q.eventLogged(entry); }),
       server(new link::RobotServer(plant.agvs, options.guard, &owner)),
       telemetry(new link::TelemetrySocket(&owner)),
@@ -78,6 +81,7 @@ Session::Private::Private(Session& owner, PlantLayout layout, SessionOptions ses
 {
     for (const AgvConfig& agv : plant.agvs)
         addLine(agv);
+    addUwb();
     wireServer();
     frameTimer->setTimerType(Qt::PreciseTimer);
     frameTimer->setInterval(frame);
@@ -111,6 +115,16 @@ void Session::Private::addLine(const AgvConfig& config)
         [this, robot](const TurnSnapshot& turn, const std::shared_ptr<const TurnRecord>& record) {
             emit q.turnEnded(robot, turn, record);
         });
+}
+
+void Session::Private::addUwb()
+{
+    if (plant.anchors.empty())
+        return;
+    uwb = new UwbLine(plant, options.uwb, events, &q);
+    QObject::connect(uwb, &UwbLine::changed, &q, [this] { changed = true; });
+    QObject::connect(uwb, &UwbLine::bytesReceived, &q,
+                     [this](const link::Chunk& chunk) { emit q.uwbBytes(chunk.bytes, chunk.time); });
 }
 
 void Session::Private::wireServer()
@@ -210,6 +224,8 @@ void Session::Private::publish()
     snapshot.agvs.reserve(lines.size());
     for (const AgvConfig& agv : plant.agvs)
         snapshot.agvs.push_back(lines.at(agv.id.number)->snapshot(published));
+    if (uwb)
+        snapshot.uwb = uwb->link().snapshot(published);
     emit q.snapshotReady(snapshot);
 }
 
@@ -224,7 +240,7 @@ AgvLine* Session::Private::line(int robot)
 
 Session::Session(PlantLayout plant, SessionOptions options, QObject* parent)
     : QObject(parent),
-      d(std::make_unique<Private>(*this, std::move(plant), options))
+      d(std::make_unique<Private>(*this, std::move(plant), std::move(options)))
 {}
 
 Session::~Session()
@@ -235,6 +251,7 @@ Session::~Session()
     for (const auto& [robot, agv] : d->lines)
         delete agv;
     d->lines.clear();
+    delete d->uwb;
     delete d->server;
 }
 
@@ -261,6 +278,30 @@ void Session::setReaderEndpoint(int robot, const QString& host, quint16 port)
 {
     if (AgvLine* line = d->line(robot))
         line->setReaderEndpoint({host.toStdString(), port});
+}
+
+void Session::openUwb()
+{
+    if (d->uwb)
+        d->uwb->link().open();
+}
+
+void Session::closeUwb()
+{
+    if (d->uwb)
+        d->uwb->link().close();
+}
+
+void Session::setUwbPort(const SerialPortChoice& port)
+{
+    if (d->uwb)
+        d->uwb->link().setPort(port);
+}
+
+void Session::askUwb()
+{
+    if (d->uwb)
+        d->uwb->link().ask();
 }
 
 void Session::startTurn(int robot, const TurnParameters& parameters)

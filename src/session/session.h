@@ -9,6 +9,7 @@
 #include "core/snapshot.h"
 #include "core/turn.h"
 #include "link/connection_guard.h"
+#include "session/uwb_link.h"
 
 #include <memory>
 
@@ -19,6 +20,7 @@ struct SessionOptions {
     std::uint64_t solverSeed = 1;
     SolveMethod method = SolveMethod::Auto;
     link::ConnectionGuard* guard = nullptr; ///< of the robots' connections; may be null, outlives the session
+    UwbLinkParameters uwb = {};
 };
 
 /// The straight line from bytes to snapshots for a whole plant: links, decoders, procedures, solvers. Lives
@@ -39,6 +41,13 @@ public slots:
     /// Another address for a reader than the plant file's; an open link is made anew.
     void setReaderEndpoint(int robot, const QString& host, quint16 port);
     /// Ignored with a Warning event when the robot or its reader is not up, or a turn is running.
+    // The UWB unit; ignored when the plant has no UWB anchors.
+    void openUwb();
+    void closeUwb();
+    /// Another port than the plant file's, for this session; an open link is made anew.
+    void setUwbPort(const agv::SerialPortChoice& port);
+    /// Asks the unit for its version and configuration even when it is a clone.
+    void askUwb();
     void startTurn(int robot, const agv::TurnParameters& parameters);
     void abortTurn(int robot, const QString& reason);
     void retakeStop(int robot, int stop);                 ///< 0-based
@@ -62,6 +71,8 @@ signals:
     void turnRefused(int robot, const QString& reason);
     /// Every byte of a reader with the monotonic time of its arrival; for recordings.
     void readerBytes(int robot, const QByteArray& bytes, agv::Time time);
+    /// Every byte of the UWB unit with the monotonic time of its arrival; for recordings.
+    void uwbBytes(const QByteArray& bytes, agv::Time time);
     /// The turn of a robot went on; `stop` is 1-based. For recordings, in order with readerBytes().
     void turnPhaseChanged(int robot, agv::TurnPhase phase, int stop, agv::Time time);
 

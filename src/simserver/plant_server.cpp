@@ -34,7 +34,7 @@ QJsonObject truthObject(const RobotTruth& truth)
             {"charging", truth.charging}};
 }
 
-QJsonObject done(const char* command) { return {{"ok", true}, {"command", command}}; }
+constexpr std::uint64_t uwbStream = 1001; ///< apart from the sockets'
 
 } // namespace
 
@@ -47,10 +47,28 @@ QHostAddress loopbackAddressOf(const AgvConfig& agv)
                         static_cast<quint32>(std::max(0, agv.id.number)));
 }
 
+std::vector<UwbTag> simulatedUwbTags(const PlantLayout& plant)
+{
+    std::vector<UwbTag> tags;
+    for (const UwbTag& tag : plant.uwb.tags)
+        if (tag.agv && plant.findAgv(*tag.agv) != nullptr)
+            tags.push_back(tag);
+    if (!plant.uwb.tags.empty())
+        return tags;
+    for (const AgvConfig& agv : plant.agvs)
+        tags.push_back({.id = static_cast<int>(tags.size()),
+                        .label = {},
+                        .agv = agv.id,
+                        .z_m = plant.uwb.tagHeight_m,
+                        .mount = {}});
+    return tags;
+}
+
 PlantServer::PlantServer(Plant plant, ServerOptions options, QObject* parent)
     : QObject(parent),
       m_plant(std::move(plant)),
-      m_options(std::move(options))
+      m_options(std::move(options)),
+      m_uwbTags(simulatedUwbTags(m_plant.layout()))
 {
     SplitMix64 random = SplitMix64(m_options.seed).split(socketStream);
     for (const AgvConfig& config : m_plant.layout().agvs)
@@ -101,6 +119,8 @@ Result<void> PlantServer::start()
         if (auto listening = agv.wemos->listen(agv.address, port); !listening)
             return listening;
     }
+    if (auto started = startUwb(); !started)
+        return started;
     m_clock.start();
     m_timer.start();
     const Endpoint console = m_options.console.value_or(m_plant.layout().robotListen);
@@ -108,6 +128,22 @@ Result<void> PlantServer::start()
     for (Agv& agv : m_agvs)
         if (auto known = agv.robot->setConsole(console, telemetry); !known)
             return known;
+    return {};
+}
+
+Result<void> PlantServer::startUwb()
+{
+    if (m_plant.layout().anchors.empty())
+        return {};
+    auto port = UwbPort::create({.seed = SplitMix64(m_options.seed).split(uwbStream).next(),
+                                 .dialect = m_options.uwbDialect,
+                                 .fastMode = m_options.uwbFast,
+                                 .model = {},
+                                 .anchors = m_plant.layout().anchors},
+                                m_options.uwbLink, m_plant.now());
+    if (!port)
+        return std::unexpected(port.error());
+    m_uwb = std::move(*port);
     return {};
 }
 
@@ -130,7 +166,33 @@ void PlantServer::tick()
         if (m_plant.takeBump(agv.id))
             report("bump", agv.id);
     }
+    if (m_uwb)
+        runUwb();
     emit ticked();
+}
+
+void PlantServer::runUwb()
+{
+    std::vector<UwbTagPlace> places;
+    for (const UwbTag& tag : m_uwbTags) {
+        const Point2 at = fromVehicleFrame(m_plant.truth(*tag.agv)->pose, tag.mount);
+        places.push_back({tag.id, at.x, at.y, tag.z_m});
+    }
+    m_uwb->advance(m_plant.now(), places);
+    const bool wasPlugged = std::exchange(m_uwbWasPlugged, m_uwb->isPlugged());
+    if (wasPlugged == m_uwbWasPlugged)
+        return;
+    QJsonObject message = uwbObject();
+    message.insert("event", m_uwbWasPlugged ? "uwb-plugged" : "uwb-unplugged");
+    emit event(message);
+}
+
+QJsonObject PlantServer::uwbObject() const
+{
+    QJsonObject uwb{{"path", QString::fromStdString(m_uwb->path())}};
+    if (m_options.uwbLink)
+        uwb.insert("link", QString::fromStdString(*m_options.uwbLink));
+    return uwb;
 }
 
 PlantServer::Agv* PlantServer::find(RobotId id)
@@ -164,158 +226,14 @@ QJsonObject PlantServer::readyMessage() const
         readers.append(QJsonObject{{"robot", agv.id.number}, {"host", host}, {"port", agv.wemos->port()}});
         robots.append(QJsonObject{{"robot", agv.id.number}, {"host", host}});
     }
-    return {{"ready", true},
-            {"seed", static_cast<qint64>(m_options.seed)},
-            {"readers", readers},
-            {"robots", robots},
-            {"truth", truthArray()}};
-}
-
-/// Carries a command out; one overload per command, so that a forgotten one does not compile.
-struct PlantServer::Executor {
-    PlantServer& server;
-
-    Result<QJsonObject> operator()(ShowHelp) const
-    {
-        QJsonArray lines;
-        for (const std::string& line : trainerHelp())
-            lines.append(QString::fromStdString(line));
-        return QJsonObject{{"help", lines}};
-    }
-    Result<QJsonObject> operator()(ShowTruth) const
-    {
-        server.catchUp();
-        return QJsonObject{{"truth", server.truthArray()},
-                           {"time_s", secondsFrom(server.m_plant.now().time_since_epoch())}};
-    }
-    Result<QJsonObject> operator()(Quit) const
-    {
-        emit server.quitRequested();
-        return done("quit");
-    }
-    Result<QJsonObject> operator()(Restore) const
-    {
-        server.m_plant.restore();
-        for (const Agv& agv : server.m_agvs) {
-            agv.wemos->restore();
-            agv.robot->restore();
-        }
-        return done("restore");
-    }
-    Result<QJsonObject> operator()(const ConnectToConsole& command) const
-    {
-        for (const Agv& agv : server.m_agvs)
-            if (auto known = agv.robot->setConsole(command.console, command.telemetryPort); !known)
-                return std::unexpected(known.error());
-        return done("console");
-    }
-    Result<QJsonObject> operator()(const Cut& command) const
-    {
-        return onDevice(command.device, "cut",
-                        [&](auto& end) { end.cut(durationFromSeconds(command.away_s)); });
-    }
-    Result<QJsonObject> operator()(const Stall& command) const
-    {
-        return onDevice(command.device, "stall",
-                        [&](auto& end) { end.stall(durationFromSeconds(command.duration_s)); });
-    }
-    Result<QJsonObject> operator()(const HalfOpen& command) const
-    {
-        return onDevice(command.device, "halfopen", [](auto& end) { end.loseSilently(); });
-    }
-    Result<QJsonObject> operator()(const PrintGarbage& command) const
-    {
-        return onRobot(command.reader, "garbage",
-                       [&](Plant& plant) { plant.printGarbage(command.reader, command.count); });
-    }
-    Result<QJsonObject> operator()(const KillTag& command) const
-    {
-        if (auto killed = server.m_plant.killTag(command.uid); !killed)
-            return std::unexpected(killed.error());
-        return done("deadtag");
-    }
-    Result<QJsonObject> operator()(const KillRandomTags& command) const
-    {
-        QJsonArray tags;
-        for (const TagUid uid : server.m_plant.killRandomTags(command.count))
-            tags.append(QString::fromStdString(fullText(uid)));
-        QJsonObject answer = done("deadtag");
-        answer.insert("tags", tags);
-        return answer;
-    }
-    Result<QJsonObject> operator()(const simulation::SwapTags& command) const
-    {
-        if (auto swapped = server.m_plant.swapTags(command.first, command.second); !swapped)
-            return std::unexpected(swapped.error());
-        return done("swaptags");
-    }
-    Result<QJsonObject> operator()(const SetCharge& command) const
-    {
-        return onRobot(command.robot, "battery",
-                       [&](Plant& plant) { plant.setCharge(command.robot, command.charge); });
-    }
-    Result<QJsonObject> operator()(const ShiftAntenna& command) const
-    {
-        return onRobot(command.robot, "antenna",
-                       [&](Plant& plant) { plant.shiftAntenna(command.robot, command.offset); });
-    }
-    Result<QJsonObject> operator()(SetTableError command) const
-    {
-        server.m_plant.setTableError(command.share);
-        return done("table");
-    }
-    Result<QJsonObject> operator()(SetMissRate command) const
-    {
-        server.m_plant.setMissRate(command.share);
-        return done("miss");
-    }
-    Result<QJsonObject> operator()(const SetSlip& command) const
-    {
-        return onRobot(command.robot, "slip",
-                       [&](Plant& plant) { plant.setSlip(command.robot, command.share); });
-    }
-    Result<QJsonObject> operator()(FailRobot command) const
-    {
-        return onRobot(command.robot, "robot-error", [&](Plant& plant) { plant.failRobot(command.robot); });
-    }
-    Result<QJsonObject> operator()(const PlaceRobot& command) const
-    {
-        server.catchUp();
-        if (auto possible = server.m_plant.checkPlace(command.robot, command.pose.position); !possible)
-            return std::unexpected(possible.error());
-        return onRobot(command.robot, "place",
-                       [&](Plant& plant) { plant.placeRobot(command.robot, command.pose); });
-    }
-
-private:
-    static std::unexpected<Error> noSuchRobot(RobotId robot)
-    {
-        return failure(ErrorCode::NotFound, "the plant has no robot " + std::to_string(robot.number));
-    }
-    Result<QJsonObject> onRobot(RobotId robot, const char* command, auto&& action) const
-    {
-        if (!server.find(robot))
-            return noSuchRobot(robot);
-        server.catchUp();
-        action(server.m_plant);
-        return done(command);
-    }
-    Result<QJsonObject> onDevice(Device device, const char* command, auto&& action) const
-    {
-        const Agv* agv = server.find(device.robot);
-        if (!agv)
-            return noSuchRobot(device.robot);
-        if (device.kind == Device::Kind::Reader)
-            action(*agv->wemos);
-        else
-            action(*agv->robot);
-        return done(command);
-    }
-};
-
-Result<QJsonObject> PlantServer::execute(const TrainerCommand& command)
-{
-    return std::visit(Executor{*this}, command);
+    QJsonObject message{{"ready", true},
+                        {"seed", static_cast<qint64>(m_options.seed)},
+                        {"readers", readers},
+                        {"robots", robots},
+                        {"truth", truthArray()}};
+    if (m_uwb)
+        message.insert("uwb", uwbObject());
+    return message;
 }
 
 } // namespace agv::simserver

@@ -57,6 +57,13 @@ public:
             fail(std::string(what) + " is not a whole number");
         return static_cast<std::size_t>(value);
     }
+    int anchor()
+    {
+        const double id = number("anchor number", 0.0, 7.0);
+        if (id != std::floor(id))
+            fail("anchor number is not a whole number");
+        return static_cast<int>(id);
+    }
     RobotId robot() { return {static_cast<int>(count("robot number", 1000.0))}; }
     TagUid tag()
     {
@@ -180,6 +187,20 @@ TrainerCommand place(Words& words)
     return PlaceRobot{robot, {{metresFromMm(x), metresFromMm(y)}, wrapAngle(radFromDeg(heading))}};
 }
 
+TrainerCommand unplug(Words& words)
+{
+    if (!words.hasMore())
+        return UnplugUwb{};
+    return UnplugUwb{words.number("seconds", 0.0, longest_s)};
+}
+
+TrainerCommand nlos(Words& words)
+{
+    const int anchor = words.anchor();
+    const double extra = words.number("extra length (mm)", 0.0, 10'000.0);
+    return BlockAnchor{anchor, metresFromMm(extra), words.number("seconds", 0.0, longest_s)};
+}
+
 struct Syntax {
     std::string_view name;
     std::string_view arguments;
@@ -212,6 +233,12 @@ constexpr std::array syntaxes{
     Syntax{"robot-error", "N", "robot N fails (interrupt or restore clears it)",
            [](Words& words) -> TrainerCommand { return FailRobot{words.robot()}; }},
     Syntax{"place", "N X_MM Y_MM HEADING_DEG", "puts robot N there", place},
+    Syntax{"unplug", "[SECONDS]", "takes the UWB unit off its port, for SECONDS or until plug", unplug},
+    Syntax{"plug", "", "the UWB unit is back on its port",
+           [](Words&) -> TrainerCommand { return PlugUwb{}; }},
+    Syntax{"nlos", "ANCHOR MM SECONDS", "all UWB tags see this anchor MM too far away", nlos},
+    Syntax{"dropanchor", "ANCHOR", "UWB anchor that no tag hears any more",
+           [](Words& words) -> TrainerCommand { return DropAnchor{words.anchor()}; }},
     Syntax{"restore", "", "undoes every fault but battery and place",
            [](Words&) -> TrainerCommand { return Restore{}; }},
     Syntax{"quit", "", "ends the simulation", [](Words&) -> TrainerCommand { return Quit{}; }},

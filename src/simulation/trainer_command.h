@@ -4,6 +4,7 @@
 #include "core/plant_layout.h"
 #include "core/result.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -80,9 +81,23 @@ struct PlaceRobot {
     Pose2 pose;
 };
 
-using TrainerCommand = std::variant<ShowHelp, ShowTruth, Quit, Restore, ConnectToConsole, Cut, Stall,
-                                    HalfOpen, PrintGarbage, KillTag, KillRandomTags, SwapTags, SetCharge,
-                                    ShiftAntenna, SetTableError, SetMissRate, SetSlip, FailRobot, PlaceRobot>;
+struct UnplugUwb {
+    std::optional<double> away_s; ///< 0..3600; empty: until PlugUwb
+};
+struct PlugUwb {};
+struct BlockAnchor {
+    int anchor = 0;          ///< 0..7
+    double extra_m = 0.0;    ///< 0..10
+    double duration_s = 0.0; ///< 0..3600
+};
+struct DropAnchor {
+    int anchor = 0; ///< 0..7
+};
+
+using TrainerCommand =
+    std::variant<ShowHelp, ShowTruth, Quit, Restore, ConnectToConsole, Cut, Stall, HalfOpen, PrintGarbage,
+                 KillTag, KillRandomTags, SwapTags, SetCharge, ShiftAntenna, SetTableError, SetMissRate,
+                 SetSlip, FailRobot, PlaceRobot, UnplugUwb, PlugUwb, BlockAnchor, DropAnchor>;
 
 /// Reads one line, words separated by blanks or tabs. BadInput says which word is wrong and what was
 /// expected.

@@ -112,8 +112,18 @@ private slots:
         QVERIFY(parsed.has_value());
         QCOMPARE(parsed->console, std::optional(Endpoint{"127.0.0.1", 2001}));
         QVERIFY(parsed->fixedReaderPorts && parsed->parentGuard);
+        QVERIFY(parsed->uwbDialect == UwbDialect::Trek && !parsed->uwbSlow);
         QCOMPARE(parseSimulateArguments({"--console", "nowhere"}).error().status, 2);
         QCOMPARE(parseSimulateArguments({"--field", "11"}).error().status, 2);
+    }
+    void readsTheKitOfASimulation()
+    {
+        const auto parsed =
+            parseSimulateArguments({"--uwb-link", "/tmp/uwb", "--uwb-dialect", "ulm4", "--uwb-slow"});
+        QVERIFY(parsed.has_value());
+        QCOMPARE(parsed->uwbLink, std::optional<std::string>("/tmp/uwb"));
+        QVERIFY(parsed->uwbDialect == UwbDialect::UlmFour && parsed->uwbSlow);
+        QCOMPARE(parseSimulateArguments({"--uwb-dialect", "unknown"}).error().status, 2);
     }
     void optionsOfTheEmulatorFileNeedIt()
     {

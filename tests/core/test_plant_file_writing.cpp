@@ -81,6 +81,18 @@ PlantLayout randomLayout(SplitMix64& random)
     for (int id = 0; id < anchorCount; ++id)
         plant.anchors.push_back({id, someText(random), random.uniform(-9, 9), random.uniform(-9, 9),
                                  random.uniform(0, 5), random.uniform() < 0.5});
+    if (random.uniform() < 0.5)
+        plant.uwb.port = {someText(random), UsbId{0x0483, 0x5740}, someText(random)};
+    if (random.uniform() < 0.5)
+        plant.uwb.dialect = static_cast<UwbDialect>(intFrom(random, 1, 6));
+    plant.uwb.tagHeight_m = random.uniform(0, 2);
+    const int tagCount = intFrom(random, 0, 4);
+    for (int id = 0; id < tagCount; ++id)
+        plant.uwb.tags.push_back({id,
+                                  someText(random),
+                                  plant.agvs.empty() ? std::nullopt : std::optional(plant.agvs[0].id),
+                                  random.uniform(0, 2),
+                                  {random.uniform(-1, 1), random.uniform(-1, 1)}});
     plant.robotListen = {"10.0." + std::to_string(intFrom(random, 0, 255)) + ".1",
                          static_cast<std::uint16_t>(intFrom(random, 0, 65535))};
     plant.telemetryPort = static_cast<std::uint16_t>(intFrom(random, 0, 65535));

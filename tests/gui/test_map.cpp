@@ -44,10 +44,32 @@ private slots:
     void detailsNameTheAgvUnderThePointer();
     void detailsShowNoStateOfARobotThatIsGone();
     void theWholePlantStaysVisibleWhenTheWidgetGrows();
+    void detailsNameTheUwbTagAndItsUncertainty();
+    void detailsNameTheUwbAnchorsThatAreShown();
+    void aUwbTagIsDrawnWhereItIs();
+    void aTrailKeepsTheLastPointsThatLieApart();
 
 private:
     static std::unique_ptr<MapWidget> shownMap();
 };
+
+namespace {
+
+PlantSnapshot withUwbTag(std::optional<Point2> position)
+{
+    PlantSnapshot snapshot;
+    snapshot.uwb = UwbSnapshot{};
+    UwbTagSnapshot tag;
+    tag.id = 5;
+    tag.agv = RobotId{1};
+    tag.position = position;
+    tag.covariance = {4e-4, 0.0, 1e-4};
+    tag.ranges = {{0, 2.0, {}, false}, {1, 2.5, {}, false}, {2, 3.1, {}, true}, {3, 2.2, {}, false}};
+    snapshot.uwb->tags.push_back(tag);
+    return snapshot;
+}
+
+} // namespace
 
 std::unique_ptr<MapWidget> MapTest::shownMap()
 {
@@ -295,6 +317,60 @@ void MapTest::theWholePlantStaysVisibleWhenTheWidgetGrows()
     map->resize(500, 400);
     map->grab();
     QVERIFY(map->viewport().visibleArea().contains(areaOf(scenes::wholePlant())));
+}
+
+void MapTest::detailsNameTheUwbTagAndItsUncertainty()
+{
+    const auto map = shownMap();
+    map->showSnapshot(withUwbTag(Point2{1.23, 2.34}));
+    const QString details = map->detailsAt(map->viewport().toPixels(Point2{1.23, 2.34}));
+    for (const char* text : {"UWB tag 5", "On AGV 1", "49 mm by 24 mm", "4 ranges, 1 of them obstructed"})
+        QVERIFY2(details.contains(QLatin1String(text)), qPrintable(details));
+    map->showSnapshot(withUwbTag({}));
+    QVERIFY(!map->detailsAt(map->viewport().toPixels(Point2{1.23, 2.34})).contains("UWB tag"));
+}
+
+void MapTest::detailsNameTheUwbAnchorsThatAreShown()
+{
+    PlantLayout plant = scenes::wholePlant();
+    plant.anchors = {{7, "North", 1.0, 1.0, 2.5, true}, {8, "Hidden", 2.0, 2.0, 2.5, false}};
+    MapWidget map;
+    map.resize(900, 700);
+    map.setPlant(plant);
+    const QString details = map.detailsAt(map.viewport().toPixels(Point2{1.0, 1.0}));
+    QVERIFY2(details.contains("UWB anchor 7, North") && details.contains("500 mm"), qPrintable(details));
+    QVERIFY(!map.detailsAt(map.viewport().toPixels(Point2{2.0, 2.0})).contains("UWB anchor"));
+}
+
+void MapTest::aUwbTagIsDrawnWhereItIs()
+{
+    const auto map = shownMap();
+    const QPoint at = map->viewport().toPixels(Point2{1.23, 2.34}).toPoint();
+    const QImage before = map->grab().toImage();
+    map->showSnapshot(withUwbTag(Point2{1.23, 2.34}));
+    const QImage after = map->grab().toImage();
+    const double ratio = before.devicePixelRatio();
+    const auto pixel = [&](const QImage& image, QPoint p) {
+        return image.pixel((QPointF(p) * ratio).toPoint());
+    };
+    QVERIFY(pixel(before, at) != pixel(after, at));
+    QCOMPARE(pixel(before, at + QPoint(150, 0)), pixel(after, at + QPoint(150, 0)));
+}
+
+void MapTest::aTrailKeepsTheLastPointsThatLieApart()
+{
+    UwbTrails trails;
+    for (int i = 0; i < 1000; ++i)
+        trails.add(withUwbTag(Point2{0.005 * i, 1.0}));
+    const auto& trail = trails.of(5);
+    QCOMPARE(trail.size(), UwbTrails::mostPoints);
+    QVERIFY(near(trail.back(), Point2{4.99, 1.0}));
+    for (std::size_t i = 1; i < trail.size(); ++i)
+        QVERIFY(distance(trail[i - 1], trail[i]) >= UwbTrails::spacing_m);
+    trails.add(withUwbTag({}));
+    QCOMPARE(trails.of(5).size(), UwbTrails::mostPoints);
+    trails.add(PlantSnapshot{});
+    QVERIFY(trails.of(5).empty());
 }
 
 QTEST_MAIN(MapTest)

@@ -3,9 +3,13 @@
 
 #include "gui/application_setup.h"
 #include "link/failure_text.h"
+#include "link/serial_failure_text.h"
 #include "model/messages.h"
 #include "procedure/link_life.h"
 #include "procedure/turn_parameters.h"
+#include "procedure/uwb_handshake.h"
+#include "session/uwb_link.h"
+#include "session/uwb_tag_track.h"
 
 #include <QApplication>
 #include <QMetaEnum>
@@ -27,7 +31,12 @@ private slots:
     void droppedMessagesAreCountedInGerman();
     void everyConnectionFailureHasItsGermanSentence();
     void everyListenFailureHasItsGermanSentence();
+    void everyReasonOfALinkHasItsGermanSentence_data();
     void everyReasonOfALinkHasItsGermanSentence();
+    void everySerialFailureHasItsGermanSentence();
+    void whyAUwbUnitIsNotKnownHasItsGermanSentence();
+    void whyAUwbTagHasNoPositionHasItsGermanSentence();
+    void whatAUwbUnitIsHasItsGermanSentence();
     void everyBadParameterHasItsGermanSentence();
     void whereASleeptimeIsKeptHasItsGermanSentence();
 
@@ -96,9 +105,20 @@ void MessagesTest::everyListenFailureHasItsGermanSentence()
         checkTranslated(link::listenFailure(error, "TCP", {"127.0.0.1", 2001}, QStringLiteral("x")).detail);
 }
 
+void MessagesTest::everyReasonOfALinkHasItsGermanSentence_data()
+{
+    QTest::addColumn<bool>("isUwb");
+    QTest::newRow("RFID reader") << false;
+    QTest::newRow("UWB unit") << true;
+}
+
 void MessagesTest::everyReasonOfALinkHasItsGermanSentence()
 {
-    procedure::LinkLife life;
+    QFETCH(bool, isUwb);
+    procedure::LinkLifeParameters parameters;
+    if (isUwb)
+        parameters.hints = session::UwbLinkParameters::usualLife().hints;
+    procedure::LinkLife life(parameters);
     Time now{};
     int reasons = 0;
     // A device that takes connections but never says a word, then one that takes none.
@@ -115,6 +135,64 @@ void MessagesTest::everyReasonOfALinkHasItsGermanSentence()
         }
     }
     QVERIFY(reasons > 100);
+}
+
+void MessagesTest::everySerialFailureHasItsGermanSentence()
+{
+    using link::SerialFault;
+    for (const SerialFault fault : {SerialFault::Missing, SerialFault::Busy, SerialFault::Forbidden,
+                                    SerialFault::NotSerial, SerialFault::Unplugged, SerialFault::Other}) {
+        for (const char* port : {"/dev/ttyACM0", "USB 0483:5740, serial number 3061"}) {
+            for (const char* group : {"", "dialout"})
+                checkTranslated(link::serialFailureText(fault, port, group, "x").toStdString());
+        }
+    }
+    QCOMPARE(Messages::sentence(
+                 link::serialFailureText(SerialFault::Missing, "USB 0483:5740, serial number 3061", {}, {})
+                     .toStdString()),
+             QStringLiteral("Die serielle Schnittstelle USB 0483:5740, Seriennummer 3061 gibt es nicht: die "
+                            "Einheit einstecken oder eine andere Schnittstelle wählen"));
+}
+
+void MessagesTest::whyAUwbUnitIsNotKnownHasItsGermanSentence()
+{
+    const Time start{};
+    procedure::UwbHandshake foreign;
+    foreign.opened(false, start);
+    checkTranslated(foreign.reason());
+    procedure::UwbHandshake clone;
+    clone.opened(true, start);
+    clone.bytes("x", UwbDialect::UlmFour, start);
+    checkTranslated(clone.reason());
+    procedure::UwbHandshake mute;
+    mute.opened(true, start);
+    for (int i = 1; i < 20; ++i)
+        mute.onTimer(start + std::chrono::seconds(i));
+    checkTranslated(mute.reason());
+}
+
+void MessagesTest::whyAUwbTagHasNoPositionHasItsGermanSentence()
+{
+    const std::vector<UwbAnchor> anchors{
+        {0, "A0", 0.0, 0.0, 2.0, true}, {1, "A1", 3.0, 0.0, 2.0, true}, {2, "A2", 6.0, 0.0, 2.0, true}};
+    const auto reasonFor = [&](std::vector<std::int32_t> heard, double later_s) {
+        protocol::RangeSet ranges;
+        for (const std::int32_t anchor : heard)
+            ranges.add({.time_s = 10.0, .range_m = 2.0 + anchor, .anchor = anchor});
+        session::UwbTagTrack track({}, anchors);
+        track.take(ranges, 10.0);
+        return track.snapshot(10.0 + later_s).reason;
+    };
+    checkTranslated(reasonFor({0, 1}, 0.1));
+    checkTranslated(reasonFor({0, 7}, 0.1));
+    checkTranslated(reasonFor({0, 1, 2}, 0.1)); // on one line
+    checkTranslated(reasonFor({0, 1}, 12.0));
+}
+
+void MessagesTest::whatAUwbUnitIsHasItsGermanSentence()
+{
+    QCOMPARE(Messages::sentence("The unit is Ver.2.25mx TREK: anchor 0, channel 2, 6.81 Mb/s"),
+             QStringLiteral("Die Einheit ist Ver.2.25mx TREK: Anker 0, Kanal 2, 6.81 Mb/s"));
 }
 
 void MessagesTest::everyBadParameterHasItsGermanSentence()

@@ -59,6 +59,8 @@ private slots:
     void linkRowsStayInPlaceWhenValuesChange();
     void linkRowsAreRebuiltWhenThePlantGrows();
     void aLinkThatIsNotUpShowsNoRate();
+    void theUwbUnitIsTheLastRowWithItsDialectAndGaps();
+    void aChangedDialectChangesTheRowOfTheUwbUnit();
     void theReasonsForDroppedMessagesAreInTheToolTip();
     void valuesOfAnAbsentRobotAreNotShown();
     void aConnectedRobotThatReportedNothingIsInAnUnknownState();
@@ -116,6 +118,49 @@ void ModelTest::aLinkThatIsNotUpShowsNoRate()
     snapshot.agvs[0].readerLink.messagesPerSecond = 20.0;
     model.setSnapshot(snapshot);
     QCOMPARE(cell(model, 0, LinkTableModel::Data), QStringLiteral("–"));
+}
+
+void ModelTest::theUwbUnitIsTheLastRowWithItsDialectAndGaps()
+{
+    LinkTableModel model;
+    Tester tester(&model, Tester::FailureReportingMode::QtTest);
+    PlantSnapshot snapshot = twoAgvs();
+    UwbSnapshot uwb;
+    uwb.link.name = "UWB";
+    uwb.link.state = LinkState::Up;
+    uwb.link.messagesPerSecond = 20.0;
+    uwb.link.dropped = 3;
+    uwb.dialect = UwbDialect::Trek;
+    uwb.unit = UwbUnit{"Ver.2.25mx TREK", {true, 2, UwbRole::Anchor, 0}};
+    uwb.missed = 17;
+    snapshot.uwb = uwb;
+    model.setSnapshot(snapshot);
+    QCOMPARE(model.rowCount(), 5);
+    QCOMPARE(cell(model, 4, LinkTableModel::Connection), QStringLiteral("UWB (trek)"));
+    QCOMPARE(cell(model, 4, LinkTableModel::Data), QStringLiteral("20.0 /s"));
+    QCOMPARE(cell(model, 4, LinkTableModel::Dropped), QStringLiteral("3"));
+    QCOMPARE(model.index(4, 0).data(LinkTableModel::RobotRole).toInt(), 0);
+    const QString toolTip = model.index(4, 0).data(Qt::ToolTipRole).toString();
+    for (const char* text : {"trek, found from the reports", "Ver.2.25mx TREK", "channel 2", "6.81 Mb/s",
+                             "Exchanges missed: 17"})
+        QVERIFY2(toolTip.contains(QLatin1String(text)), qPrintable(toolTip));
+}
+
+void ModelTest::aChangedDialectChangesTheRowOfTheUwbUnit()
+{
+    LinkTableModel model;
+    PlantSnapshot snapshot;
+    snapshot.uwb = UwbSnapshot{};
+    model.setSnapshot(snapshot);
+    QCOMPARE(cell(model, 0, LinkTableModel::Connection), QStringLiteral("UWB"));
+    QSignalSpy changes(&model, &QAbstractItemModel::dataChanged);
+    snapshot.uwb->tags.push_back({});
+    model.setSnapshot(snapshot);
+    QCOMPARE(changes.count(), 0);
+    snapshot.uwb->dialect = UwbDialect::UlmFour;
+    model.setSnapshot(snapshot);
+    QCOMPARE(changes.count(), 1);
+    QCOMPARE(cell(model, 0, LinkTableModel::Connection), QStringLiteral("UWB (ulm4)"));
 }
 
 void ModelTest::theReasonsForDroppedMessagesAreInTheToolTip()

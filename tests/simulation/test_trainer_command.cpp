@@ -51,6 +51,14 @@ TEST(TrainerCommand, readsEveryCommand)
     EXPECT_DOUBLE_EQ(parsed<SetMissRate>("miss 30").share, 0.3);
     EXPECT_DOUBLE_EQ(parsed<SetSlip>("slip 2 15").share, 0.15);
     EXPECT_EQ(parsed<FailRobot>("robot-error 2").robot, RobotId{2});
+    EXPECT_EQ(parsed<UnplugUwb>("unplug").away_s, std::nullopt);
+    EXPECT_EQ(parsed<UnplugUwb>("unplug 2.5").away_s, 2.5);
+    parsed<PlugUwb>("plug");
+    const auto nlos = parsed<BlockAnchor>("nlos 3 450 10");
+    EXPECT_EQ(nlos.anchor, 3);
+    EXPECT_DOUBLE_EQ(nlos.extra_m, 0.45);
+    EXPECT_EQ(nlos.duration_s, 10.0);
+    EXPECT_EQ(parsed<DropAnchor>("dropanchor 0").anchor, 0);
     const auto place = parsed<PlaceRobot>("place 1 1500 2000 -90");
     EXPECT_EQ(place.pose.position, (Point2{1.5, 2.0}));
     EXPECT_DOUBLE_EQ(place.pose.heading, radFromDeg(-90.0));
@@ -86,7 +94,7 @@ TEST(TrainerCommand, echoesNothingUnprintableAndNothingLong)
 TEST(TrainerCommand, helpNamesEveryCommand)
 {
     const auto help = trainerHelp();
-    ASSERT_EQ(help.size(), 18U);
+    ASSERT_EQ(help.size(), 22U);
     for (const std::string& line : help) {
         const std::string name = line.substr(0, line.find_first_of(" :"));
         EXPECT_EQ(errorOf(name).find("unknown"), std::string::npos) << name;

@@ -2,6 +2,8 @@
 // What the map says about the thing under the pointer.
 #include "gui/map/map_widget.h"
 
+#include "model/messages.h"
+#include "model/uncertainty.h"
 #include "model/words.h"
 
 #include <algorithm>
@@ -33,6 +35,10 @@ QString MapWidget::detailsAt(QPointF pixel) const
 {
     if (const QString stop = stopDetails(pixel); !stop.isEmpty())
         return stop;
+    if (const QString tag = uwbTagDetails(pixel); !tag.isEmpty())
+        return tag;
+    if (const QString anchor = anchorDetails(pixel); !anchor.isEmpty())
+        return anchor;
     if (const QString tag = tagDetails(pixel); !tag.isEmpty() && !agvAt(pixel))
         return tag;
     if (const AgvSnapshot* agv = agvAt(pixel))
@@ -98,6 +104,45 @@ QString MapWidget::tagDetails(QPointF pixel) const
         .arg(nearest->number)
         .arg(QString::fromStdString(shortText(nearest->uid)), QString::fromStdString(fullText(nearest->uid)),
              Words::millimetres(nearest->position.x), Words::millimetres(nearest->position.y));
+}
+
+QString MapWidget::uwbTagDetails(QPointF pixel) const
+{
+    if (!m_snapshot.uwb)
+        return {};
+    for (const UwbTagSnapshot& tag : m_snapshot.uwb->tags) {
+        if (!tag.position || pixelsApart(m_viewport.toPixels(*tag.position), pixel) > reach_px)
+            continue;
+        const model::Ellipse95 ellipse = model::ellipse95(tag.covariance);
+        QStringList lines{tag.label.empty()
+                              ? tr("UWB tag %1").arg(tag.id)
+                              : tr("UWB tag %1, %2").arg(tag.id).arg(QString::fromStdString(tag.label))};
+        if (tag.agv)
+            lines << tr("On AGV %1").arg(tag.agv->number);
+        lines << tr("x %1, y %2, 95 % within %3 by %4")
+                     .arg(Words::millimetres(tag.position->x), Words::millimetres(tag.position->y),
+                          Words::millimetres(ellipse.major_m), Words::millimetres(ellipse.minor_m));
+        lines << tr("%1 ranges, %2 of them obstructed")
+                     .arg(tag.ranges.size())
+                     .arg(std::ranges::count(tag.ranges, true, &UwbRangeSnapshot::rejected));
+        lines << tr("%1, %2 exchanges missed").arg(Words::rate(tag.reportsPerSecond)).arg(tag.missed);
+        return lines.join(QLatin1Char('\n'));
+    }
+    return {};
+}
+
+QString MapWidget::anchorDetails(QPointF pixel) const
+{
+    for (const UwbAnchor& anchor : m_plant.anchors) {
+        const Point2 place{anchor.x, anchor.y};
+        if (!anchor.shown || pixelsApart(m_viewport.toPixels(place), pixel) > reach_px)
+            continue;
+        return tr("UWB anchor %1, %2\nx %3, y %4, height %5")
+            .arg(anchor.id)
+            .arg(QString::fromStdString(anchor.label), Words::millimetres(anchor.x),
+                 Words::millimetres(anchor.y), Words::millimetres(anchor.z));
+    }
+    return {};
 }
 
 QString MapWidget::stationDetails(QPointF pixel) const

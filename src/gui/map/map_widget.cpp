@@ -45,6 +45,7 @@ void MapWidget::setPlant(const PlantLayout& plant)
     m_plant = plant;
     m_tags = tagMapOf(m_plant);
     m_static.setPlant(&m_plant);
+    m_uwbTrails.clear();
     fit();
 }
 
@@ -64,6 +65,7 @@ void MapWidget::setLayers(const StaticLayer::Options& options)
 void MapWidget::showSnapshot(const PlantSnapshot& snapshot)
 {
     m_snapshot = snapshot;
+    m_uwbTrails.add(snapshot);
     follow();
     update();
 }
@@ -179,6 +181,8 @@ void MapWidget::paintEvent(QPaintEvent*)
         if (const TurnEstimate* estimate = estimateOf(agv))
             paintStops(painter, m_viewport, *estimate, m_theme);
     }
+    if (m_snapshot.uwb)
+        paintUwbTags(painter, m_viewport, *m_snapshot.uwb, m_uwbTrails, m_theme);
     painter.restore();
     if (hasFocus() && m_keyboardFocus) {
         painter.setPen(QPen(m_theme.accent, 2.0));

@@ -6,6 +6,7 @@
 #include "core/plant_layout.h"
 #include "core/snapshot.h"
 #include "gui/map/static_layer.h"
+#include "gui/map/uwb_painter.h"
 #include "gui/map/viewport.h"
 #include "gui/theme.h"
 
@@ -31,7 +32,8 @@ public:
     StaticLayer::Options layers() const { return m_static.options(); }
     void setLayers(const StaticLayer::Options& options);
 
-    /// Details of what lies under `pixel`: floor tag, AGV, stop, station; empty when nothing does.
+    /// Details of what lies under `pixel`: floor tag, AGV, stop, UWB tag or anchor, station; empty when
+    /// nothing does.
     QString detailsAt(QPointF pixel) const;
     /// Pose of an AGV as drawn: a running turn's preview before the last known pose.
     std::optional<Pose2> drawnPose(int robot) const;
@@ -77,6 +79,8 @@ private:
     QString agvDetails(const AgvSnapshot& agv) const;
     QString stopDetails(QPointF pixel) const;
     QString tagDetails(QPointF pixel) const;
+    QString uwbTagDetails(QPointF pixel) const;
+    QString anchorDetails(QPointF pixel) const;
     QString stationDetails(QPointF pixel) const;
     void paintReads(QPainter& painter) const;
     void paintAgvs(QPainter& painter) const;
@@ -84,6 +88,7 @@ private:
     PlantLayout m_plant;
     TagMap m_tags;
     PlantSnapshot m_snapshot;
+    UwbTrails m_uwbTrails;
     StaticLayer m_static;
     Viewport m_viewport;
     Theme m_theme = Theme::light();

@@ -2,6 +2,7 @@
 #include "gui/map/static_layer.h"
 
 #include "gui/map/station_painter.h"
+#include "gui/map/uwb_painter.h"
 #include "model/words.h"
 
 #include <QLocale>
@@ -87,6 +88,7 @@ void StaticLayer::paint(QPainter& painter) const
         if (m_options.stations)
             paintStations(painter);
         paintObstacles(painter);
+        paintUwbAnchors(painter, m_viewport, *m_plant, m_theme);
     }
     paintRulers(painter);
     paintScaleBar(painter);

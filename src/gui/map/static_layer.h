@@ -18,7 +18,8 @@ inline constexpr double rulerHeight = 24.0;
 /// Width of the lower right corner that the scale bar may take, px.
 inline constexpr double scaleBarRoom = 132.0;
 
-/// Everything of the map that does not move: floor, grid, floor tags, stations, obstacles, plant edge,
+/// Everything of the map that does not move: floor, grid, floor tags, stations, obstacles, UWB anchors, plant
+/// edge,
 /// rulers, scale bar. Painted into an image once per view and reused until view, plant or colours change.
 class StaticLayer {
 public:

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include "core/plant_layout.h"
+#include "core/snapshot.h"
+#include "link/serial_link.h"
+#include "procedure/link_life.h"
+#include "procedure/uwb_handshake.h"
+#include "protocol/trek_ranges.h"
+#include "protocol/trek_stream.h"
+#include "session/rate_meter.h"
+#include "session/uwb_tag_track.h"
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace agv::session {
+
+/// How long a UWB link waits for what, and where its ports are; tests wait less and have ports of their own.
+struct UwbLinkParameters {
+    procedure::LinkLifeParameters life = usualLife();
+    procedure::UwbHandshakeParameters handshake;
+    link::SerialPortLister ports = link::availableSerialPorts;
+
+    /// A unit that is plugged in and whose tags are all off is silent and well: it is not reopened soon.
+    static procedure::LinkLifeParameters usualLife();
+};
+
+/// The way from the serial port of a UWB unit to the positions of its tags: link, life, handshake, decoder,
+/// tracks, and the figures of the link panel. Lives in the session thread.
+class UwbLink : public QObject {
+    Q_OBJECT
+public:
+    UwbLink(const PlantLayout& plant, UwbLinkParameters parameters, QObject* parent);
+
+    void open();
+    void close();
+    /// Another port than the plant file's; an open link is made anew.
+    void setPort(const SerialPortChoice& port);
+    /// Asks the unit for its version and configuration, clone or not.
+    void ask();
+
+    UwbSnapshot snapshot(Time now);
+
+signals:
+    /// Every byte as it came, for recordings.
+    void bytesReceived(const agv::link::Chunk& chunk);
+    void stateChanged(agv::LinkState state, const QString& reason);
+    void unitKnown(const QString& version, const QString& configuration);
+
+private:
+    struct Tag {
+        explicit Tag(UwbTagTrack tagTrack) : track(std::move(tagTrack)) {}
+        UwbTagTrack track;
+        RateMeter rate;
+    };
+
+    void onConnected();
+    void take(const link::Chunk& chunk);
+    void takeReport(const protocol::TrekReport& report);
+    void carryOut(procedure::LinkAction action);
+    void carryOut(procedure::UwbHandshakeAction action);
+    void takeUnit();
+    void armTimer();
+    Tag& tagOf(int id);
+    LinkSnapshot linkSnapshot(Time now);
+
+    std::vector<UwbAnchor> m_anchors;
+    UwbSettings m_settings;
+    link::SerialLink* m_link;
+    QTimer* m_timer;
+    procedure::LinkLife m_life;
+    procedure::UwbHandshake m_handshake;
+    LinkState m_reportedState = LinkState::Down;
+    std::string m_reportedReason;
+    bool m_unitReported = false;
+    protocol::TrekStream m_stream;
+    protocol::TrekRanges m_ranges;
+    std::map<int, Tag> m_tags; ///< that were heard
+    RateMeter m_rate;
+    std::optional<Time> m_lastReport;
+};
+
+} // namespace agv::session

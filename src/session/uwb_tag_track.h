@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/plant_layout.h"
+#include "core/snapshot.h"
+#include "estimation/uwb/range_ekf.h"
+#include "protocol/trek_ranges.h"
+
+#include <string>
+#include <vector>
+
+namespace agv::session {
+
+/// Position of one UWB tag from its reports: an EKF with a line-of-sight state per anchor. It starts with
+/// the first three ranges of one exchange, and anew after a silence or when the ranges go on to contradict
+/// it. Positions are given ahead of the age of the ranges.
+class UwbTagTrack {
+public:
+    /// After such a silence the tag may be anywhere.
+    static constexpr double startAnewAfter_s = 3.0;
+    /// An older position is not shown.
+    static constexpr double shownFor_s = 3.0;
+    /// So many reports in a row of which more than half is held for obstructed start it anew.
+    static constexpr int contradictionsAllowed = 30;
+
+    /// At most estimation::kMaxAnchors anchors are used, the first ones. `anchors` must outlive the track.
+    UwbTagTrack(const UwbTag& tag, const std::vector<UwbAnchor>& anchors);
+
+    /// The ranges of one report of this tag; `arrival_s` is when it came.
+    void take(const protocol::RangeSet& ranges, double arrival_s);
+    /// What it knows at `now_s`, times of the steady clock; rate and traffic are the caller's.
+    UwbTagSnapshot snapshot(double now_s) const;
+
+private:
+    void gather(const protocol::RangeSet& ranges);
+    void follow(double time_s);
+    std::string whyNoPosition(double age_s) const;
+
+    UwbTag m_tag;
+    const std::vector<UwbAnchor>& m_anchors;
+    estimation::RangeEkf m_filter;
+    estimation::AnchorRangeList m_ranges;  ///< of the last report; before the start, of the last exchange
+    int m_sequence = -1;                   ///< that m_ranges are of
+    int m_unknownAnchor = -1;              ///< of the last report; -1: none
+    double m_measured_s = 0.0;             ///< of the last ranges
+    double m_arrival_s = 0.0;              ///< of the last report, with ranges or without
+    std::vector<UwbRangeSnapshot> m_shown; ///< m_ranges and what the filter made of them
+    int m_contradictions = 0;
+};
+
+} // namespace agv::session
