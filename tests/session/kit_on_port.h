@@ -29,8 +29,8 @@ inline PlantLayout plantWithUwb()
 /// A simulated kit on a pseudo-terminal. Its time is virtual: it runs as fast as it is asked to.
 class KitOnPort {
 public:
-    explicit KitOnPort(simulation::UwbKitSettings settings, std::vector<simulation::UwbTagPlace> tags)
-        : tags(std::move(tags))
+    KitOnPort(simulation::UwbKitSettings settings, std::vector<simulation::UwbTagPlace> places)
+        : tags(std::move(places))
     {
         auto made = simserver::UwbPort::create(std::move(settings), std::nullopt, m_now);
         if (made)
