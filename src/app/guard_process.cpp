@@ -23,7 +23,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int channel = STDIN_FILENO;
+constexpr int console = STDIN_FILENO;
 constexpr auto longestWrite = 20ms;      ///< within the interval of the zeros
 constexpr auto longestFarewell = 1000ms; ///< for the robots to take the last words and close
 
@@ -83,7 +83,7 @@ std::optional<Received> receive()
     header.msg_iovlen = 1;
     header.msg_control = ancillary.data();
     header.msg_controllen = ancillary.size();
-    if (::recvmsg(channel, &header, MSG_CMSG_CLOEXEC) != sizeof received.message)
+    if (::recvmsg(console, &header, MSG_CMSG_CLOEXEC) != sizeof received.message)
         return std::nullopt;
     const cmsghdr* attached = CMSG_FIRSTHDR(&header);
     if (attached && attached->cmsg_level == SOL_SOCKET && attached->cmsg_type == SCM_RIGHTS)
@@ -96,7 +96,7 @@ public:
     void run()
     {
         for (int silences = 0;;) {
-            if (!isReady(channel, POLLIN, silenceInterval)) {
+            if (!isReady(console, POLLIN, silenceInterval)) {
                 if (++silences == 2)
                     standIn();
                 continue;
@@ -128,7 +128,7 @@ private:
     {
         stopRobots();
         const GuardMessage spoke{GuardMessage::Kind::Spoke, 0};
-        ::send(channel, &spoke, sizeof spoke, MSG_NOSIGNAL | MSG_DONTWAIT);
+        ::send(console, &spoke, sizeof spoke, MSG_NOSIGNAL | MSG_DONTWAIT);
     }
     void stopRobots() const
     {

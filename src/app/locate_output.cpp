@@ -17,7 +17,7 @@ namespace {
 
 using recording::numberText;
 
-constexpr const char* unknown = "-";
+constexpr const char* notKnown = "-";
 
 /// A number with a point, whatever the locale.
 std::string fixedText(double value, int decimals)
@@ -120,14 +120,14 @@ std::string ErrorRow::rate() const
         time_s += std::max(span.last_s - span.first_s, 0.0);
         steps += span.fixes - 1;
     }
-    return time_s > 0.0 ? fixedText(static_cast<double>(steps) / time_s, 2) : unknown;
+    return time_s > 0.0 ? fixedText(static_cast<double>(steps) / time_s, 2) : notKnown;
 }
 
 std::vector<std::string> ErrorRow::cells() const
 {
     const std::size_t n = m_position.size();
     std::vector<std::string> cells{std::to_string(m_hasTruth ? n : m_fixes)};
-    const auto put = [&](double length_m) { cells.push_back(n > 0 ? inMm(length_m) : unknown); };
+    const auto put = [&](double length_m) { cells.push_back(n > 0 ? inMm(length_m) : notKnown); };
     const double count = static_cast<double>(std::max<std::size_t>(n, 1));
     for (int axis = 0; axis < (m_inSpace ? 3 : 2); ++axis)
         put(m_sum(axis) / count);
@@ -140,7 +140,7 @@ std::vector<std::string> ErrorRow::cells() const
     put(m_position.max());
     const double share =
         static_cast<double>(m_fixes) / static_cast<double>(std::max<std::size_t>(m_reports, 1));
-    cells.push_back(m_reports > 0 ? fixedText(100.0 * share, 1) : unknown);
+    cells.push_back(m_reports > 0 ? fixedText(100.0 * share, 1) : notKnown);
     cells.push_back(rate());
     return cells;
 }

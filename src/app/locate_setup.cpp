@@ -2,6 +2,7 @@
 #include "app/locate_setup.h"
 
 #include "app/locate_output.h"
+#include "app/uwb_truth.h"
 #include "app/vehicle_files.h"
 #include "core/text_file.h"
 #include "estimation/uwb/locator.h"
@@ -16,7 +17,6 @@ namespace {
 using estimation::MethodInfo;
 using estimation::MethodInput;
 
-constexpr std::size_t largestTruthFile = std::size_t{64} << 20U;
 constexpr std::string_view everyMethod = "all";
 constexpr std::string_view defaultInSpace = "gauss-newton-3d";
 constexpr std::string_view defaultWithWheels = "fusion";

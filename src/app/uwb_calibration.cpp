@@ -20,7 +20,6 @@ namespace fs = std::filesystem;
 
 /// A moving tag is at another place when it is in another cell of this size.
 constexpr double placeSize_m = 0.5;
-constexpr std::size_t largestTruthFile = std::size_t{64} << 20U;
 
 /// The two names of "RANGES:TRUTH"; a name may have colons when the files exist.
 std::optional<std::pair<std::string, std::string>> splitNames(const std::string& files)

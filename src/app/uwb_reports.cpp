@@ -107,14 +107,14 @@ private:
 
     void numberTracks()
     {
-        struct Track {
+        struct Numbered {
             std::size_t number;
             double time_s;
         };
-        std::map<std::pair<int, std::string>, Track> tracks;
+        std::map<std::pair<int, std::string>, Numbered> tracks;
         for (UwbReport& report : m_list.reports) {
             const auto [track, isNew] = tracks.try_emplace({report.tag, m_list.groupOf(m_table, report)},
-                                                           Track{m_list.tracks, report.time_s});
+                                                           Numbered{m_list.tracks, report.time_s});
             if (isNew || report.time_s < track->second.time_s - stepBack_s)
                 track->second.number = m_list.tracks++;
             track->second.time_s = report.time_s;

@@ -14,6 +14,9 @@
 
 namespace agv::app {
 
+/// Bytes; a longer file of true places is refused.
+inline constexpr std::size_t largestTruthFile = std::size_t{64} << 20U;
+
 /// Where a tag truly was at some time.
 struct TrueAt {
     double x_m = 0.0;

@@ -74,7 +74,7 @@ const TagPlace* findTag(const std::vector<TagPlace>& places, const std::string& 
 
 /// The mean of the tags read at one time (thesis 4.1); nothing when none of them is known.
 std::optional<Point2> meanOf(const FloorReadRow& row, const std::vector<TagPlace>& places,
-                             std::map<std::string, std::size_t>& unknown)
+                             std::map<std::string, std::size_t>& unknownTags)
 {
     Point2 sum;
     int count = 0;
@@ -83,7 +83,7 @@ std::optional<Point2> meanOf(const FloorReadRow& row, const std::vector<TagPlace
             sum = sum + Point2{place->x_m, place->y_m};
             ++count;
         } else {
-            ++unknown[uid];
+            ++unknownTags[uid];
         }
     }
     return count > 0 ? std::optional((1.0 / count) * sum) : std::nullopt;
@@ -102,15 +102,15 @@ Result<std::vector<FloorFix>> readFloorFixes(const LocateArguments& arguments, s
             return std::unexpected(known.error());
         places = std::move(*known);
     }
-    std::map<std::string, std::size_t> unknown;
+    std::map<std::string, std::size_t> unknownTags;
     std::vector<FloorFix> fixes;
     for (const FloorReadRow& row : reads->rows) {
         if (row.x_m)
             fixes.push_back({row.time_s, {*row.x_m, *row.y_m}});
-        else if (const auto mean = meanOf(row, places, unknown))
+        else if (const auto mean = meanOf(row, places, unknownTags))
             fixes.push_back({row.time_s, *mean});
     }
-    for (const auto& [uid, count] : unknown)
+    for (const auto& [uid, count] : unknownTags)
         err << *arguments.floorFile << ": tag " << uid << " is not one known tag; its " << count
             << " reads are left out\n";
     return fixes;

@@ -11,6 +11,7 @@
 namespace agv {
 
 /// Of every coordinate in a plant file, mm.
+inline constexpr int highestAgv = 999;
 inline constexpr NumberRange coordinateRange{-1e6, 1e6};
 
 /// [x, y] in mm; (0, 0) with an error when it is something else.

@@ -25,7 +25,6 @@ constexpr NumberRange sleeptimeRange{leastSleeptime_ms, mostSleeptime_ms};
 constexpr NumberRange turnSpeedRange{mmFromMetres(leastTurnSpeed), mmFromMetres(mostTurnSpeed)};
 constexpr NumberRange speedRange{1, 500}; // of the robot link's directDrive
 constexpr NumberRange edgeRange{0.1, 10'000};
-constexpr int mostAgvs = 999;
 
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
@@ -166,7 +165,7 @@ private:
     void readAgv(JsonFields& fields)
     {
         AgvConfig agv;
-        agv.id.number = fields.integer("id", 1, mostAgvs, std::nullopt);
+        agv.id.number = fields.integer("id", 1, highestAgv, std::nullopt);
         agv.name = fields.text("name", "AGV " + std::to_string(agv.id.number));
         agv.robotHost = fields.text("robot_host", usualRobotHost(m_plant.robotListen.host, agv.id.number));
         agv.robotPeerPort =

@@ -5,7 +5,6 @@ namespace agv {
 namespace {
 
 constexpr NumberRange mountRange{-2000, 2000};
-constexpr int mostAgvs = 999;
 constexpr int mostTags = 255;
 
 /// "trek", "trek-1.06", ... with the word for none chosen.
@@ -65,7 +64,7 @@ void UwbSectionReader::readTag(JsonFields& fields, PlantLayout& plant)
     UwbTag tag;
     tag.id = fields.integer("id", 0, mostTags, std::nullopt);
     tag.label = fields.text("label", "T" + std::to_string(tag.id));
-    const int agv = fields.integer("agv", 0, mostAgvs, 0);
+    const int agv = fields.integer("agv", 0, highestAgv, 0);
     if (agv != 0)
         tag.agv = RobotId{agv};
     tag.z_m = fields.thousandths("z_mm", coordinateRange, plant.uwb.tagHeight_m);

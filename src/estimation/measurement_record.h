@@ -9,6 +9,9 @@ namespace agv::estimation {
 
 enum class MeasurementKind : std::uint8_t { Range, FloorTag, Odometry };
 
+/// For the records only: a measurement beyond this many sds is called rejected.
+inline constexpr double kRecordGate = 3.0;
+
 /// What a filter made of one measurement; the only source of error plots, residual tables and warnings.
 struct MeasurementRecord {
     MeasurementKind kind = MeasurementKind::Range;

@@ -9,12 +9,6 @@
 #include <algorithm>
 
 namespace agv::model {
-namespace {
-
-const QString noValue = QStringLiteral("–");
-
-} // namespace
-
 LinkTableModel::LinkTableModel(QObject* parent) : QAbstractTableModel(parent) {}
 
 std::vector<LinkTableModel::Row> LinkTableModel::rowsOf(const PlantSnapshot& snapshot)
@@ -81,7 +75,7 @@ QString LinkTableModel::text(const Row& row, int column)
     case State:
         return Words::linkState(link.state);
     case Data:
-        return link.state == LinkState::Up ? Words::rate(link.messagesPerSecond) : noValue;
+        return link.state == LinkState::Up ? Words::rate(link.messagesPerSecond) : Words::none();
     case Dropped:
         return QLocale().toString(static_cast<qulonglong>(link.dropped));
     default:

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/stop_table_model.h"
 
+#include "model/words.h"
+
 #include <QLocale>
 
 #include <algorithm>
@@ -77,7 +79,7 @@ QString StopTableModel::text(const StopRow& row, int column) const
     if (column == Stop)
         return QLocale().toString(row.stop);
     if (column == Reads)
-        return row.done || row.reads > 0 ? QLocale().toString(row.reads) : QStringLiteral("–");
+        return row.done || row.reads > 0 ? QLocale().toString(row.reads) : Words::none();
     const bool rssi = isRssiColumn(column);
     const auto tag = static_cast<std::size_t>(column - FirstTag - (rssi ? m_tagColumns : 0));
     if (tag >= row.tags.size())

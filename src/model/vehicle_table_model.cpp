@@ -8,7 +8,6 @@
 namespace agv::model {
 namespace {
 
-const QString noValue = QStringLiteral("–");
 constexpr double lowCharge = 0.20; ///< below this a turn takes noticeably longer than its sleeptime
 
 std::optional<double> chargeOf(const std::optional<BatteryStatus>& battery)
@@ -62,10 +61,10 @@ QString VehicleTableModel::text(const Row& row, int column)
     case Vehicle:
         return row.name.empty() ? tr("AGV %1").arg(row.robot) : QString::fromStdString(row.name);
     case Battery:
-        return row.battery ? Words::volts(row.battery->voltage_V) : noValue;
+        return row.battery ? Words::volts(row.battery->voltage_V) : Words::none();
     case Charge: {
         const std::optional<double> charge = chargeOf(row.battery);
-        return charge ? Words::percent(*charge) : noValue;
+        return charge ? Words::percent(*charge) : Words::none();
     }
     case State:
         return row.mayBeMoving ? tr("May be moving") : Words::robotState(row.connected, row.state);

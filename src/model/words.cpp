@@ -21,6 +21,8 @@ QString withUnit(double value, int decimals, const QString& unit)
 
 } // namespace
 
+QString Words::none() { return QStringLiteral("–"); }
+
 QString Words::linkState(LinkState state)
 {
     switch (state) {

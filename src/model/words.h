@@ -16,6 +16,8 @@ namespace agv::model {
 class Words {
     Q_DECLARE_TR_FUNCTIONS(agv::model::Words)
 public:
+    /// In place of a value that there is none of: "–"
+    static QString none();
     static QString linkState(LinkState state);
     static QString robotState(RobotState state);
     /// "Not connected", "State unknown" until a connected robot has reported one, or the state.

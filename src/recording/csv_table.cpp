@@ -86,11 +86,16 @@ std::optional<double> CsvTable::number(std::size_t column) const
 
 std::optional<int> CsvTable::integer(std::size_t column) const { return parseInteger(field(column)); }
 
+std::string CsvTable::wrongNumber(std::size_t column) const
+{
+    return header()[column] + ": must be a number (is " + inQuotes(field(column)) + ")";
+}
+
 void CsvTable::split(std::string_view line)
 {
     m_fields.clear();
     std::string field;
-    bool inQuotes = false;
+    bool isQuoted = false;
     bool wasQuoted = false;
     const auto endField = [&] {
         m_fields.emplace_back(wasQuoted ? std::string_view(field) : trimmed(field));
@@ -99,15 +104,15 @@ void CsvTable::split(std::string_view line)
     };
     for (std::size_t i = 0; i < line.size(); ++i) {
         const char c = line[i];
-        if (inQuotes && c == '"' && line.substr(i + 1).starts_with('"')) {
+        if (isQuoted && c == '"' && line.substr(i + 1).starts_with('"')) {
             field += c;
             ++i;
-        } else if (inQuotes && c == '"') {
-            inQuotes = false;
-        } else if (!inQuotes && c == '"' && trimmed(field).empty()) {
-            inQuotes = wasQuoted = true;
+        } else if (isQuoted && c == '"') {
+            isQuoted = false;
+        } else if (!isQuoted && c == '"' && trimmed(field).empty()) {
+            isQuoted = wasQuoted = true;
             field.clear();
-        } else if (!inQuotes && c == m_separator) {
+        } else if (!isQuoted && c == m_separator) {
             endField();
         } else {
             field += c;

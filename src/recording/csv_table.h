@@ -34,6 +34,8 @@ public:
     /// A field as a number.
     std::optional<double> number(std::size_t column) const;
     std::optional<int> integer(std::size_t column) const;
+    /// "NAME: must be a number (is "FIELD")"
+    std::string wrongNumber(std::size_t column) const;
 
 private:
     void split(std::string_view line);

@@ -11,16 +11,16 @@ namespace agv::recording {
 
 namespace {
 
-struct Layout {
+struct FloorReadLayout {
     std::size_t time = 0;
     std::optional<std::size_t> x;
     std::optional<std::size_t> y;
     std::vector<std::size_t> uids;
 };
 
-Result<Layout> layoutOf(const CsvTable& table)
+Result<FloorReadLayout> floorReadLayoutOf(const CsvTable& table)
 {
-    Layout layout;
+    FloorReadLayout layout;
     const auto time = table.column("t_s");
     if (const auto one = table.column("uid"))
         layout.uids.push_back(*one);
@@ -35,11 +35,6 @@ Result<Layout> layoutOf(const CsvTable& table)
                            "uid1,uid2,...");
     layout.time = *time;
     return layout;
-}
-
-std::string wrongNumber(const CsvTable& table, std::size_t column)
-{
-    return table.header()[column] + ": must be a number (is " + inQuotes(table.field(column)) + ")";
 }
 
 std::string capitals(std::string_view text)
@@ -57,11 +52,11 @@ bool isHexadecimal(std::string_view text)
 }
 
 /// Adds to the row of the same time, or begins one.
-std::string takeRow(const CsvTable& table, const Layout& layout, std::vector<FloorReadRow>& rows)
+std::string takeRow(const CsvTable& table, const FloorReadLayout& layout, std::vector<FloorReadRow>& rows)
 {
     const auto time_s = table.number(layout.time);
     if (!time_s)
-        return wrongNumber(table, layout.time);
+        return table.wrongNumber(layout.time);
     if (!rows.empty() && *time_s < rows.back().time_s)
         return "t_s: steps back; reads must be in the order of time";
     FloorReadRow row{.line = table.line(), .time_s = *time_s, .uids = {}, .x_m = {}, .y_m = {}};
@@ -78,7 +73,7 @@ std::string takeRow(const CsvTable& table, const Layout& layout, std::vector<Flo
         row.x_m = table.number(*layout.x);
         row.y_m = table.number(*layout.y);
         if (!row.x_m || !row.y_m)
-            return wrongNumber(table, row.x_m ? *layout.y : *layout.x);
+            return table.wrongNumber(row.x_m ? *layout.y : *layout.x);
     }
     if (row.uids.empty() && !row.x_m)
         return {};
@@ -103,7 +98,7 @@ Result<FloorReadTable> readFloorReadCsv(std::string_view text)
     auto table = CsvTable::open(text);
     if (!table)
         return std::unexpected(table.error());
-    const auto layout = layoutOf(*table);
+    const auto layout = floorReadLayoutOf(*table);
     if (!layout)
         return std::unexpected(layout.error());
     FloorReadTable reads;
@@ -139,7 +134,7 @@ Result<TagPlaceTable> readTagPlaceCsv(std::string_view text)
         if (!isHexadecimal(name))
             places.problems.add(table->line(), "uid: must be hexadecimal (is " + inQuotes(name) + ")");
         else if (!east || !north)
-            places.problems.add(table->line(), wrongNumber(*table, east ? *y : *x));
+            places.problems.add(table->line(), table->wrongNumber(east ? *y : *x));
         else
             places.tags.push_back({name, *east * unit, *north * unit});
     }

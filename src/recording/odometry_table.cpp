@@ -9,14 +9,14 @@ namespace agv::recording {
 
 namespace {
 
-struct Layout {
+struct OdometryLayout {
     std::size_t time = 0;
     std::size_t first = 0;  ///< left wheel, or the vehicle's speed
     std::size_t second = 0; ///< right wheel, or the vehicle's turn rate
     bool wheels = false;
 };
 
-Result<Layout> layoutOf(const CsvTable& table, std::optional<double> track_m)
+Result<OdometryLayout> odometryLayoutOf(const CsvTable& table, std::optional<double> track_m)
 {
     const auto time = table.column("t_s");
     const auto left = table.column("v_left_mps");
@@ -25,7 +25,7 @@ Result<Layout> layoutOf(const CsvTable& table, std::optional<double> track_m)
     const auto turn = table.column("omega_radps");
     const std::string line = std::to_string(table.headerLine()) + ": ";
     if (time && speed && turn)
-        return Layout{*time, *speed, *turn, false};
+        return OdometryLayout{*time, *speed, *turn, false};
     if (!time || !left || !right)
         return failure(ErrorCode::BadInput, line +
                                                 "the header is not one of odometry; expected t_s,v_left_mps,"
@@ -33,19 +33,15 @@ Result<Layout> layoutOf(const CsvTable& table, std::optional<double> track_m)
     if (!track_m)
         return failure(ErrorCode::BadInput,
                        line + "wheel speeds need the distance of the wheels; give it with --wheel-distance");
-    return Layout{*time, *left, *right, true};
+    return OdometryLayout{*time, *left, *right, true};
 }
 
-std::string wrongNumber(const CsvTable& table, std::size_t column)
-{
-    return table.header()[column] + ": must be a number (is " + inQuotes(table.field(column)) + ")";
-}
-
-std::string takeRow(const CsvTable& table, const Layout& layout, double track_m, OdometryTable& odometry)
+std::string takeRow(const CsvTable& table, const OdometryLayout& layout, double track_m,
+                    OdometryTable& odometry)
 {
     for (const std::size_t column : {layout.time, layout.first, layout.second})
         if (!table.number(column))
-            return wrongNumber(table, column);
+            return table.wrongNumber(column);
     const double time_s = *table.number(layout.time);
     const double first = *table.number(layout.first);
     const double second = *table.number(layout.second);
@@ -65,7 +61,7 @@ Result<OdometryTable> readOdometryCsv(std::string_view text, std::optional<doubl
     auto table = CsvTable::open(text);
     if (!table)
         return std::unexpected(table.error());
-    const auto layout = layoutOf(*table, track_m);
+    const auto layout = odometryLayoutOf(*table, track_m);
     if (!layout)
         return std::unexpected(layout.error());
     OdometryTable odometry;

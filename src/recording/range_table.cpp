@@ -14,20 +14,20 @@ namespace {
 
 constexpr std::string_view tagAnchor = "tag-anchor";
 constexpr std::string_view anchorAnchor = "anchor-anchor";
-enum Column : std::size_t { Time, Tag, Anchor, Range, Sequence, Kind, Period, ColumnCount };
+enum Column : std::size_t { Instant, Tag, Anchor, Range, Sequence, Kind, Period, ColumnCount };
 constexpr std::array<std::string_view, ColumnCount> columnNames{"t_s", "tag",  "anchor",  "range_m",
                                                                 "seq", "kind", "period_s"};
 constexpr std::size_t requiredColumns = 4;
 
 /// Where a table has which column.
-struct Layout {
+struct RangeLayout {
     std::array<std::optional<std::size_t>, ColumnCount> places;
     std::vector<std::size_t> extras;
 };
 
-Result<Layout> layoutOf(const CsvTable& table)
+Result<RangeLayout> rangeLayoutOf(const CsvTable& table)
 {
-    Layout layout;
+    RangeLayout layout;
     for (std::size_t column = 0; column < ColumnCount; ++column)
         layout.places[column] = table.column(columnNames[column]);
     for (std::size_t column = 0; column < requiredColumns; ++column)
@@ -44,7 +44,7 @@ Result<Layout> layoutOf(const CsvTable& table)
 /// Reads one row after the other; a reason says what is wrong with one.
 class RowReader {
 public:
-    RowReader(const CsvTable& table, const Layout& layout) : m_table(table), m_layout(layout) {}
+    RowReader(const CsvTable& table, const RangeLayout& layout) : m_table(table), m_layout(layout) {}
 
     /// Empty reason: the row is good. `range_m` is 0 where nothing was measured.
     std::string read(RangeMeasurement& range)
@@ -52,9 +52,9 @@ public:
         if (m_table.fieldCount() != m_table.header().size())
             return "has " + std::to_string(m_table.fieldCount()) + " fields, the header has " +
                    std::to_string(m_table.header().size());
-        const auto time_s = m_table.number(*m_layout.places[Time]);
+        const auto time_s = m_table.number(*m_layout.places[Instant]);
         if (!time_s)
-            return wrong(Time, "a number");
+            return wrong(Instant, "a number");
         const auto tag = id(Tag);
         if (!tag)
             return wrong(Tag, "a whole number from 0");
@@ -116,7 +116,7 @@ private:
     }
 
     const CsvTable& m_table;
-    const Layout& m_layout;
+    const RangeLayout& m_layout;
 };
 
 bool isNumber(std::string_view text) { return parseNumber(text).has_value(); }
@@ -142,7 +142,7 @@ Result<RangeTable> readRangeCsv(std::string_view text)
     auto csv = CsvTable::open(text);
     if (!csv)
         return std::unexpected(csv.error());
-    const auto layout = layoutOf(*csv);
+    const auto layout = rangeLayoutOf(*csv);
     if (!layout)
         return std::unexpected(layout.error());
     RangeTable table;

@@ -18,7 +18,7 @@ struct PlaceColumns {
     std::optional<std::size_t> z;
 };
 
-struct Layout {
+struct TruthLayout {
     std::optional<std::size_t> time;
     std::optional<std::size_t> tag;
     std::vector<PlaceColumns> places;
@@ -34,7 +34,7 @@ std::optional<int> tagOf(std::string_view column)
     return number && *number >= 0 ? number : std::nullopt;
 }
 
-void findPlaces(const CsvTable& table, Layout& layout)
+void findPlaces(const CsvTable& table, TruthLayout& layout)
 {
     const auto x = table.column("x_m");
     const auto y = table.column("y_m");
@@ -52,9 +52,9 @@ void findPlaces(const CsvTable& table, Layout& layout)
     }
 }
 
-Result<Layout> layoutOf(const CsvTable& table)
+Result<TruthLayout> truthLayoutOf(const CsvTable& table)
 {
-    Layout layout{.time = table.column("t_s"), .tag = table.column("tag"), .places = {}, .others = {}};
+    TruthLayout layout{.time = table.column("t_s"), .tag = table.column("tag"), .places = {}, .others = {}};
     findPlaces(table, layout);
     if (layout.places.empty())
         return failure(ErrorCode::BadInput,
@@ -81,7 +81,7 @@ std::string notANumber(const CsvTable& table, std::size_t column)
 }
 
 /// The first reason why the row cannot be used; empty when it can.
-std::string takeRow(const CsvTable& table, const Layout& layout, std::vector<TruePlace>& places)
+std::string takeRow(const CsvTable& table, const TruthLayout& layout, std::vector<TruePlace>& places)
 {
     if (table.fieldCount() != table.header().size())
         return "has " + std::to_string(table.fieldCount()) + " fields, the header has " +
@@ -132,7 +132,7 @@ Result<TruthTable> readTruthCsv(std::string_view text)
     auto table = CsvTable::open(text);
     if (!table)
         return std::unexpected(table.error());
-    const auto layout = layoutOf(*table);
+    const auto layout = truthLayoutOf(*table);
     if (!layout)
         return std::unexpected(layout.error());
     TruthTable truth;

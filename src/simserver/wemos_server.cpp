@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t clientLimit = 2;        // MAX_SRV_CLIENTS, seed, appendix M
 constexpr std::size_t serialBufferSize = 256; // SoftwareSerial RFID(14, 12, false, 256), ibid.
-constexpr qint64 backlogLimit = 64 * 1024;    // a client that does not read is dropped
+constexpr qint64 readerBacklogLimit = 64 * 1024;    // a client that does not read is dropped
 
 QString peerOf(const QTcpSocket& socket)
 {
@@ -111,7 +111,7 @@ void WemosServer::send(std::string_view characters)
 {
     const std::vector<QTcpSocket*> clients = m_clients; // writing may find one of them gone
     for (QTcpSocket* client : clients) {
-        if (client->bytesToWrite() > backlogLimit) {
+        if (client->bytesToWrite() > readerBacklogLimit) {
             client->abort();
             continue;
         }

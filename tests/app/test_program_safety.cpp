@@ -6,6 +6,8 @@
 #include <QElapsedTimer>
 #include <QFile>
 #include <QProcess>
+#include <QRandomGenerator>
+#include <QSet>
 #include <QTcpServer>
 #include <QTemporaryDir>
 #include <QTest>
@@ -18,11 +20,19 @@
 namespace agv::session {
 namespace {
 
+/// Below the range from which the system takes the ports of outgoing connections: one of those, such as another
+/// robot's knock, might hold the port by the time the program listens.
 quint16 freePort()
 {
-    QTcpServer server;
-    server.listen(QHostAddress::LocalHost);
-    return server.serverPort();
+    static QSet<quint16> given;
+    for (;;) {
+        const auto port = static_cast<quint16>(QRandomGenerator::global()->bounded(20000, 32000));
+        QTcpServer server;
+        if (!given.contains(port) && server.listen(QHostAddress::LocalHost, port)) {
+            given.insert(port);
+            return port;
+        }
+    }
 }
 
 QByteArray plantText(quint16 listen, quint16 telemetry, quint16 reader)

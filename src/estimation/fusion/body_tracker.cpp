@@ -18,7 +18,6 @@ constexpr int kStarts = 8;
 constexpr double kSettled = 1e-8;
 /// Residuals beyond this many sds weigh less (Huber): nothing is known yet about hidden anchors.
 constexpr double kHuber = 2.0;
-constexpr double kLeastDistance_m = 1e-6;
 
 struct Equations {
     Eigen::Matrix3d information = Eigen::Matrix3d::Zero();

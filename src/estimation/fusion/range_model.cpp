@@ -10,8 +10,6 @@ namespace agv::estimation {
 
 namespace {
 
-constexpr double kLeastDistance_m = 1e-6;
-
 /// d = |tag - anchor| depends on the state as u_x x' + u_y y'.
 SensitivityRow along(const Eigen::Vector2d& u, const Placement& tag)
 {

@@ -11,6 +11,9 @@ namespace agv::estimation {
 /// Most anchors a solver or filter handles at once; twice what the devices support.
 constexpr int kMaxAnchors = 16;
 
+/// At an anchor the direction to it is undefined; filters count a tag as never nearer, m.
+constexpr double kLeastDistance_m = 1e-6;
+
 /// A measured distance between a tag and an anchor of known position.
 struct AnchorRange {
     Eigen::Vector3d anchor = Eigen::Vector3d::Zero(); ///< plant frame, m

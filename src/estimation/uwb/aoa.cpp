@@ -11,7 +11,7 @@ namespace {
 
 /// Squared sine of the angle below which bearings count as parallel.
 constexpr double kParallel = 1e-12;
-constexpr double kLeastDistance_m = 1e-3;
+constexpr double kLeastBearingDistance_m = 1e-3;
 
 using Angles = std::span<const ArrivalAngle>;
 
@@ -66,7 +66,7 @@ UwbFix aoaFix(std::span<const ArrivalAngle> angles)
     // An angle's sd is a width that grows with distance: once more with the widths at the first solution.
     Lines weighted;
     for (const ArrivalAngle& a : angles)
-        weighted.add(a, a.sd * std::max((a.anchor - place).norm(), kLeastDistance_m));
+        weighted.add(a, a.sd * std::max((a.anchor - place).norm(), kLeastBearingDistance_m));
     if (weighted.parallel()) {
         fix.status = FixStatus::ParallelBearings;
         return fix;
@@ -80,7 +80,7 @@ UwbFix aoaFix(std::span<const ArrivalAngle> angles)
         if (away.dot(along) < 0.0)
             fix.status = FixStatus::NoIntersection;
         const double across = away.x() * along.y() - away.y() * along.x();
-        const double sd_m = a.sd * std::max(away.norm(), kLeastDistance_m);
+        const double sd_m = a.sd * std::max(away.norm(), kLeastBearingDistance_m);
         squares += across * across;
         fix.chiSquared += across * across / (sd_m * sd_m);
     }

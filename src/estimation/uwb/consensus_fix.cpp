@@ -9,7 +9,6 @@ namespace agv::estimation {
 namespace {
 
 constexpr int kReweightings = 5;
-constexpr double kLogRootTwoPi = 0.91893853320467274178;
 /// A range weighs at least this share, so that a fix always has its three ranges.
 constexpr double kLeastWeight = 1e-3;
 

@@ -9,6 +9,9 @@
 
 namespace agv::estimation {
 
+/// Least share of the largest pivot that counts as a rank; rounding leaves about 1e-16.
+inline constexpr double kRankThreshold = 1e-9;
+
 enum class FixStatus : std::uint8_t {
     Ok,
     BadInput,         ///< a range, anchor or standard deviation is not finite or not positive

@@ -7,12 +7,9 @@ namespace agv::estimation {
 
 namespace {
 
-/// Least share of the largest pivot that counts as a rank; rounding leaves about 1e-16.
-constexpr double kRankThreshold = 1e-9;
-
 template<int Columns>
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Columns, 0, kMaxAnchors, Columns>;
-using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxAnchors, 1>;
+using LinearRows = Eigen::Matrix<double, Eigen::Dynamic, Columns, 0, kMaxAnchors, Columns>;
+using LinearColumn = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxAnchors, 1>;
 
 } // namespace
 
@@ -23,15 +20,15 @@ UwbFix linearToa2d(AnchorRanges ranges, std::optional<TagHeight> height)
     if (!fix.ok())
         return fix;
     const auto n = static_cast<Eigen::Index>(ranges.size());
-    Rows<3> a(n, 3);
-    Column y(n);
+    LinearRows<3> a(n, 3);
+    LinearColumn y(n);
     for (Eigen::Index i = 0; i < n; ++i) {
         const AnchorRange& range = ranges[static_cast<std::size_t>(i)];
         const double rise = height ? height->z_m - range.anchor.z() : 0.0;
         a.row(i) << -2.0 * range.anchor.x(), -2.0 * range.anchor.y(), 1.0;
         y(i) = range.range_m * range.range_m - rise * rise - range.anchor.head<2>().squaredNorm();
     }
-    Eigen::ColPivHouseholderQR<Rows<3>> factor(a);
+    Eigen::ColPivHouseholderQR<LinearRows<3>> factor(a);
     factor.setThreshold(kRankThreshold);
     if (factor.rank() < 3) {
         fix.status = FixStatus::CollinearAnchors;
@@ -59,14 +56,14 @@ LinearToa3d linearToa3d(AnchorRanges ranges)
     if (!result.fix.ok())
         return result;
     const auto n = static_cast<Eigen::Index>(ranges.size());
-    Rows<4> g(n, 4);
-    Column h(n);
+    LinearRows<4> g(n, 4);
+    LinearColumn h(n);
     for (Eigen::Index i = 0; i < n; ++i) {
         const AnchorRange& range = ranges[static_cast<std::size_t>(i)];
         g.row(i) << -2.0 * range.anchor.transpose(), 1.0;
         h(i) = range.range_m * range.range_m - range.anchor.squaredNorm();
     }
-    Eigen::ColPivHouseholderQR<Rows<4>> factor(g);
+    Eigen::ColPivHouseholderQR<LinearRows<4>> factor(g);
     factor.setThreshold(kRankThreshold);
     if (factor.rank() < 4) {
         result.fix.status = FixStatus::CoplanarAnchors;

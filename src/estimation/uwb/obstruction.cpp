@@ -12,7 +12,6 @@ namespace {
 /// A range far outside both models decides nothing; this keeps 0/0 away (study, ref_filters).
 constexpr double kFloor = 1e-12;
 constexpr double kLeast = 0.01;
-constexpr double kLogRootTwoPi = 0.91893853320467274178;
 
 } // namespace
 

@@ -28,6 +28,9 @@ private:
     double m_seen = 0.7;
 };
 
+/// log sqrt(2 pi), of the normal density.
+inline constexpr double kLogRootTwoPi = 0.91893853320467274178;
+
 /// log density of a normal plus an exponential error, sd and mean in m.
 double logNormalPlusExponential(double error, double sd, double mean);
 

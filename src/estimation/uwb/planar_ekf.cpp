@@ -13,7 +13,6 @@ namespace agv::estimation {
 namespace {
 
 constexpr double kGate = 3.0;
-constexpr double kLeastDistance_m = 1e-6;
 
 } // namespace
 

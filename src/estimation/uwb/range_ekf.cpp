@@ -8,13 +8,7 @@
 
 namespace agv::estimation {
 
-namespace {
-
-/// For the records only: a range beyond this many sds is called rejected.
-constexpr double kRecordGate = 3.0;
-constexpr double kLeastDistance_m = 1e-6;
-
-} // namespace
+namespace {} // namespace
 
 RangeEkf::RangeEkf(const RangeEkfSettings& settings) : m_settings(settings)
 {

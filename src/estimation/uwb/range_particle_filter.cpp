@@ -13,10 +13,9 @@ namespace {
 /// Kernel width after resampling, in sds of the cloud.
 constexpr double kRoughening = 0.15;
 /// Density of an outlier, 1/m: no range excludes a particle for good.
-constexpr double kOutlier = 1e-4;
+constexpr double kOutlierDensity = 1e-4;
 constexpr double kSoftEdge_m = 0.01;
 constexpr double kLeastLog = -60.0;
-constexpr double kRecordGate = 3.0;
 
 double logSum(double a, double b)
 {
@@ -91,7 +90,7 @@ double RangeParticleFilter::logLikelihood(double error, double sd_m) const
         log = logSum(std::log1p(-m_settings.hidden) + log,
                      std::log(m_settings.hidden) +
                          logNormalPlusExponential(error, sd_m, m_settings.meanBias_m));
-    return logSum(log, std::log(kOutlier));
+    return logSum(log, std::log(kOutlierDensity));
 }
 
 const MeasurementRecords& RangeParticleFilter::update(AnchorRanges ranges)

@@ -9,7 +9,7 @@ namespace agv::estimation {
 namespace {
 
 /// At an anchor the direction is undefined; a tag is never this near.
-constexpr double kLeastDistance_m = 1e-9;
+constexpr double kLeastRange_m = 1e-9;
 /// Pivot, relative to its diagonal element, below which a matrix counts as singular.
 constexpr double kLeastPivot = 1e-12;
 
@@ -52,8 +52,7 @@ void RangeResiduals::look(Vec3 at, Rays& rays) const
         const double dy = at.y - m_y[i];
         const double dz = at.z - m_z[i];
         const double d2 = dx * dx + dy * dy + dz * dz;
-        const double d =
-            std::sqrt(d2 > kLeastDistance_m * kLeastDistance_m ? d2 : kLeastDistance_m * kLeastDistance_m);
+        const double d = std::sqrt(d2 > kLeastRange_m * kLeastRange_m ? d2 : kLeastRange_m * kLeastRange_m);
         const double inverse = 1.0 / d;
         rays.ux[i] = dx * inverse;
         rays.uy[i] = dy * inverse;

@@ -19,8 +19,7 @@ constexpr std::size_t kMostHypotheses = 137;
 /// Chi-squared per range beyond which no set of hidden anchors explains the ranges.
 constexpr double kUnexplained = 9.0;
 /// Density of a range that means nothing, 1/m: a failed exchange may also be far too short.
-constexpr double kOutlier = 1e-3;
-constexpr double kRecordGate = 3.0;
+constexpr double kMeaninglessDensity = 1e-3;
 /// Evidence this far (natural logarithm) below the best adds nothing.
 constexpr double kNegligible = 25.0;
 
@@ -107,7 +106,7 @@ private:
         const double variance = u.dot(fix.covariance * u) + range.sd_m * range.sd_m;
         const double hidden = logNormalPlusExponential(range.range_m - d, std::sqrt(variance),
                                                        m_settings.obstruction.meanBias_m);
-        return std::log(std::exp(hidden) + kOutlier);
+        return std::log(std::exp(hidden) + kMeaninglessDensity);
     }
 
     AnchorRanges m_ranges;
@@ -179,7 +178,7 @@ RobustFix robustFix(AnchorRanges ranges, const RobustFixSettings& settings)
     fix.used = static_cast<int>(ranges.size());
     if (ranges.size() >= 5 && best->fix.chiSquared > kUnexplained * static_cast<double>(ranges.size())) {
         const ConsensusFix consensus =
-            consensusFix(ranges, sets.fixSettings(), settings.obstruction, kOutlier);
+            consensusFix(ranges, sets.fixSettings(), settings.obstruction, kMeaninglessDensity);
         if (consensus.fix.ok()) {
             fix = consensus.fix;
             result.probabilitySeen = consensus.probabilitySeen;

@@ -17,11 +17,9 @@ constexpr std::size_t kKept = 512;
 constexpr double kFinest_m = 0.004;
 constexpr int kMostLevels = 12;
 /// Natural logarithm below the best beyond which a cell adds nothing.
-constexpr float kNegligible = 20.0F;
+constexpr float kNegligibleCell = 20.0F;
 constexpr float kMatters = 10.0F;
 constexpr double kMargin = 4.0; ///< sds around the longest possible distance
-constexpr double kRecordGate = 3.0;
-constexpr double kLogRootTwoPi = 0.91893853320467274178;
 
 bool usable(const AnchorRange& range, double farthest_m)
 {
@@ -174,7 +172,7 @@ UwbFix StaticPosition::fix() const
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     Eigen::Matrix2d second = Eigen::Matrix2d::Zero();
     for (const Cell& cell : cells) {
-        if (cell.log < best - kNegligible)
+        if (cell.log < best - kNegligibleCell)
             continue;
         const double weight = std::exp(static_cast<double>(cell.log - best));
         const Eigen::Vector2d p(static_cast<double>(cell.x), static_cast<double>(cell.y));

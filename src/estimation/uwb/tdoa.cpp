@@ -10,11 +10,10 @@ namespace agv::estimation {
 
 namespace {
 
-constexpr double kRankThreshold = 1e-9;
 /// Two roots fit alike when their chi-squared differ by less.
 constexpr double kSameFit = 1.0;
 
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, kMaxAnchors, 2>;
+using DifferenceRows = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, kMaxAnchors, 2>;
 using Columns = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, kMaxAnchors, 2>;
 using Differences = std::span<const RangeDifference>;
 
@@ -100,7 +99,7 @@ UwbFix tdoaFix(std::span<const RangeDifference> anchors, double height_m)
     const Eigen::Vector3d origin = anchors[0].anchor;
     const auto n = static_cast<Eigen::Index>(anchors.size()) - 1;
     const double rise = height_m - origin.z();
-    Rows a(n, 2);
+    DifferenceRows a(n, 2);
     Columns bc(n, 2); // B and C of 5.14, relative to the first anchor
     for (Eigen::Index i = 0; i < n; ++i) {
         const RangeDifference& other = anchors[static_cast<std::size_t>(i) + 1];
@@ -109,7 +108,7 @@ UwbFix tdoaFix(std::span<const RangeDifference> anchors, double height_m)
         bc(i, 0) = -other.difference_m;
         bc(i, 1) = 0.5 * (base.squaredNorm() - other.difference_m * other.difference_m) - base.z() * rise;
     }
-    Eigen::ColPivHouseholderQR<Rows> factor(a);
+    Eigen::ColPivHouseholderQR<DifferenceRows> factor(a);
     factor.setThreshold(kRankThreshold);
     if (factor.rank() < 2) {
         fix.status = FixStatus::CollinearAnchors;

@@ -9,28 +9,27 @@ namespace agv::estimation {
 
 namespace {
 
-constexpr double kRankThreshold = 1e-9;
 constexpr double kLargestCondition = 1e15;
 constexpr double kLeastRange_m = 1e-6;
 
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, 4, 0, kMaxAnchors, 4>;
-using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxAnchors, 1>;
+using TwoStepRows = Eigen::Matrix<double, Eigen::Dynamic, 4, 0, kMaxAnchors, 4>;
+using TwoStepColumn = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxAnchors, 1>;
 
 struct FirstStep {
-    Rows g;
-    Column h, sd, range;
+    TwoStepRows g;
+    TwoStepColumn h, sd, range;
     Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, kMaxAnchors> anchors;
     Eigen::Matrix4d information = Eigen::Matrix4d::Zero();
 
     /// Equation 5.28 with B = diag(distances).
-    Eigen::Vector4d solve(const Column& distances)
+    Eigen::Vector4d solve(const TwoStepColumn& distances)
     {
-        const Column weights = (4.0 * distances.array().square() * sd.array().square()).inverse();
+        const TwoStepColumn weights = (4.0 * distances.array().square() * sd.array().square()).inverse();
         information = g.transpose() * weights.asDiagonal() * g;
         return information.ldlt().solve(g.transpose() * (weights.array() * h.array()).matrix());
     }
 
-    Column distancesTo(const Eigen::Vector3d& position) const
+    TwoStepColumn distancesTo(const Eigen::Vector3d& position) const
     {
         return (anchors.colwise() - position).colwise().norm().transpose().cwiseMax(kLeastRange_m);
     }
@@ -100,7 +99,7 @@ TwoStepToa twoStepToa(AnchorRanges ranges, const TwoStepSettings& settings)
         origin.array() -= settings.originShift_m;
     }
     FirstStep step = equations(ranges, origin);
-    Eigen::ColPivHouseholderQR<Rows> rank(step.g);
+    Eigen::ColPivHouseholderQR<TwoStepRows> rank(step.g);
     rank.setThreshold(kRankThreshold);
     if (rank.rank() < 4) {
         fix.status = FixStatus::CoplanarAnchors;
