@@ -94,7 +94,7 @@ Result<AnchorSet> readAnchorFile(const std::string& path, std::ostream& err)
         return std::unexpected(inFile(path, config.error()));
     report(path, config->problems, err);
     AnchorSet set{std::move(config->anchors), {}};
-    for (const recording::RangeCorrection& correction : config->corrections)
+    for (const RangeCorrection& correction : config->corrections)
         set.corrections_m[{correction.tag, correction.anchor}] = correction.offset_m;
     return set;
 }
