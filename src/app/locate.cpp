@@ -58,6 +58,29 @@ public:
         return located ? *located && file->table.problems.empty() : refuse(located.error());
     }
 
+    /// Floor tags alone: a position for each time when some were read.
+    bool locateFloorReads(const std::string& path)
+    {
+        const recording::RangeTable noRanges;
+        std::optional<TruthIndex> truth;
+        if (m_setup.truth) {
+            auto index = TruthIndex::make(*m_setup.truth, noRanges);
+            if (!index)
+                return refuse(inFile(*m_arguments.truthFile, index.error()));
+            truth = std::move(*index);
+        }
+        ReportList moments{.reports = {}, .groupColumns = {}, .tracks = 1};
+        for (const FloorFix& fix : m_setup.vehicle->floorFixes)
+            moments.reports.push_back({.time_s = fix.time_s, .tag = -1, .track = 0, .rows = {}});
+        if (moments.reports.empty())
+            return refuse({ErrorCode::BadInput, path + ": no tag that was read has a known place"});
+        const PreparedRanges none = PreparedRanges::none(std::move(moments));
+        const MethodSettings settings{
+            .anchors = {}, .heights_m = {m_arguments.height_m.value_or(0.0)}, .seed = m_arguments.seed};
+        const auto located = runAndAdd(path, noRanges, none, none, settings, truth ? &*truth : nullptr);
+        return located ? *located : refuse(located.error());
+    }
+
     const PositionCsv& positions() const { return m_positions; }
     std::string errorTable() const
     {
@@ -137,13 +160,21 @@ private:
             .anchors = {}, .heights_m = heightsOf(table, single, truth, path), .seed = m_arguments.seed};
         for (const UwbAnchor& anchor : anchors.anchors)
             settings.anchors.emplace_back(anchor.x, anchor.y, anchor.z);
-        const std::vector<Fixes> results = runAll(*singles, whole, settings);
+        return runAndAdd(path, table, *singles, whole, settings, truth);
+    }
+
+    /// False when a method has no position.
+    Result<bool> runAndAdd(const std::string& path, const recording::RangeTable& table,
+                           const PreparedRanges& singles, const PreparedRanges& whole,
+                           const MethodSettings& settings, const TruthIndex* truth)
+    {
+        const std::vector<Fixes> results = runAll(singles, whole, settings);
         bool allHavePositions = true;
         for (std::size_t k = 0; k < results.size(); ++k) {
             if (!results[k])
                 return std::unexpected(results[k].error());
             const std::string_view method = m_setup.methods[k];
-            const PreparedRanges& ranges = takesSingles(method) ? *singles : whole;
+            const PreparedRanges& ranges = takesSingles(method) ? singles : whole;
             if (!add(path, method, table, ranges.list(), *results[k], truth))
                 allHavePositions = false;
         }
@@ -195,7 +226,7 @@ private:
         if (const auto column = table.extraColumn(*m_arguments.by))
             return valueOf(table, moment, *column);
         if (*m_arguments.by == "tag")
-            return std::to_string(moment.tag);
+            return moment.tag >= 0 ? std::to_string(moment.tag) : std::string();
         const auto column = m_setup.truth->otherColumn(*m_arguments.by);
         return truth && column ? truth->row->columns[*column] : std::string();
     }
@@ -213,7 +244,8 @@ private:
             const UwbReport& moment = list.reports[k];
             Outcome outcome{moment, fixes[k], {}};
             if (truth != nullptr)
-                outcome.truth = truth->at(table, moment.rows.front(), moment.time_s);
+                outcome.truth = moment.rows.empty() ? truth->at(moment.time_s)
+                                                    : truth->at(table, moment.rows.front(), moment.time_s);
             const std::string group = m_arguments.by ? groupOf(table, moment, outcome.truth) : std::string();
             const auto [place, isNew] = places.try_emplace(group, rows.size());
             if (isNew)
@@ -285,6 +317,8 @@ int runLocate(const LocateArguments& arguments, std::istream& in, std::ostream& 
 
     int status = setup->someBad ? someFailed : allLocated;
     LocateCommand command(arguments, *setup, in, err);
+    if (arguments.inputs.empty() && !command.locateFloorReads(*arguments.floorFile))
+        status = someFailed;
     for (const std::string& input : arguments.inputs) {
         const auto files = filesOf(input);
         if (!files) {

@@ -13,9 +13,9 @@ namespace agv::app {
 
 /// What `agv-console locate` or `agv-console fuse` was asked for.
 struct LocateArguments {
-    bool fuse = false; ///< the subcommand is fuse: methods that use more than ranges
-    std::vector<std::string>
-        inputs; ///< INPUT...: files of recording/range_file.h, folders of them; "-": standard input
+    bool fuse = false;               ///< the subcommand is fuse: methods that use more than ranges
+    std::vector<std::string> inputs; ///< INPUT...: files of recording/range_file.h, folders of them; "-":
+                                     ///< standard input. fuse may have none: floor tags (and wheels) alone
     std::optional<std::string> plantFile;   ///< --plant
     std::optional<std::string> anchorsFile; ///< --anchors
     std::optional<double> height_m;         ///< --height of the tags; empty: the truth's, or else 0
@@ -35,6 +35,8 @@ struct LocateArguments {
     std::optional<std::string> tagsFile;     ///< --tags: places of floor tags; empty: the plant's
     std::optional<double> startHeading;      ///< --heading, rad
     std::optional<Point2> startPosition;     ///< --start, m; needs startHeading
+    std::optional<Point2>
+        mount; ///< --mount of the UWB tag in the vehicle frame, m; empty: the plant's, or else 0
 };
 
 /// Positions of UWB tags from recorded ranges. Without a truth file each position goes to `out` (or the CSV

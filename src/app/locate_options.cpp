@@ -12,6 +12,7 @@ namespace agv::app {
 namespace {
 
 constexpr double farthest_m = 1000.0;
+constexpr double farthestMount_mm = 2000.0; ///< as in plant files
 
 std::optional<std::string> fileOption(const OptionReader& reader, const QString& name)
 {
@@ -61,12 +62,12 @@ LocateArguments readCommonOptions(OptionReader& reader)
     result.csvFile = fileOption(reader, "csv");
     result.seed = reader.integer("seed", 0, std::numeric_limits<std::uint64_t>::max()).value_or(1);
     result.listMethods = reader.isSet("list-methods");
-    reader.require(result.listMethods || !result.inputs.empty(), "no INPUT was given");
     return result;
 }
 
-/// "X,Y" in m.
-std::optional<Point2> pointOption(OptionReader& reader, const QString& name)
+/// "X,Y", each from -farthest to farthest, in `unit`.
+std::optional<Point2> pointOption(OptionReader& reader, const QString& name, double farthest,
+                                  const char* unit)
 {
     const auto text = reader.text(name);
     if (!text)
@@ -76,10 +77,10 @@ std::optional<Point2> pointOption(OptionReader& reader, const QString& name)
     bool isY = false;
     const Point2 point{parts.value(0).toDouble(&isX), parts.value(1).toDouble(&isY)};
     const bool isPoint =
-        parts.size() == 2 && isX && isY && std::abs(point.x) <= farthest_m && std::abs(point.y) <= farthest_m;
-    reader.require(
-        isPoint,
-        QStringLiteral("--%1 is \"%2\": it must be X,Y in metres, each from -1000 to 1000").arg(name, *text));
+        parts.size() == 2 && isX && isY && std::abs(point.x) <= farthest && std::abs(point.y) <= farthest;
+    reader.require(isPoint, QStringLiteral("--%1 is \"%2\": it must be X,Y in %3, each from -%4 to %4")
+                                .arg(name, *text, unit)
+                                .arg(farthest));
     return isPoint ? std::optional(point) : std::nullopt;
 }
 
@@ -94,6 +95,7 @@ std::expected<LocateArguments, ParseExit> parseLocateArguments(const QStringList
     if (const auto exit = reader.parse(arguments))
         return std::unexpected(*exit);
     LocateArguments result = readCommonOptions(reader);
+    reader.require(result.listMethods || !result.inputs.empty(), "no INPUT was given");
     if (const auto exit = reader.error())
         return std::unexpected(*exit);
     return result;
@@ -103,7 +105,8 @@ std::expected<LocateArguments, ParseExit> parseFuseArguments(const QStringList& 
 {
     OptionReader reader(
         "agv-console fuse",
-        "Positions of a vehicle from recorded UWB ranges, wheel odometry and floor tags; with "
+        "Positions of a vehicle from recorded UWB ranges, wheel odometry and floor tags, or from floor tags "
+        "without any INPUT; with "
         "--truth, how good they are. Exit status: 0 all was used, 1 some lines or files were "
         "not, 2 wrong usage.");
     addCommonOptions(reader);
@@ -114,6 +117,9 @@ std::expected<LocateArguments, ParseExit> parseFuseArguments(const QStringList& 
     reader.addValue("heading", "DEG", "Heading at first, counter-clockwise from +x; 0 without it.");
     reader.addValue("start", "X,Y", "Position at first, m; without it that of the first ranges.");
     reader.addValue("rfid", "FILE", "Floor tags read: t_s and uid, uid1,uid2,..., or x_m,y_m.");
+    reader.addValue(
+        "mount", "X,Y",
+        "Place of the UWB tag ahead and to the left of the vehicle's centre, mm; without it the plant's.");
     reader.addValue("tags", "FILE", "Places of the floor tags: uid,x_mm,y_mm; without it the plant's.");
     if (const auto exit = reader.parse(arguments))
         return std::unexpected(*exit);
@@ -123,11 +129,14 @@ std::expected<LocateArguments, ParseExit> parseFuseArguments(const QStringList& 
     result.track_m = reader.number("wheel-distance", 0.01, 10.0);
     if (const auto heading = reader.number("heading", -360.0, 360.0))
         result.startHeading = radFromDeg(*heading);
-    result.startPosition = pointOption(reader, "start");
+    result.startPosition = pointOption(reader, "start", farthest_m, "metres");
+    if (const auto mount = pointOption(reader, "mount", farthestMount_mm, "mm"))
+        result.mount = Point2{metresFromMm(mount->x), metresFromMm(mount->y)};
     result.floorFile = fileOption(reader, "rfid");
     result.tagsFile = fileOption(reader, "tags");
     reader.require(result.listMethods || result.odometryFile || result.floorFile,
                    "fuse needs --odometry or --rfid; for ranges alone there is agv-console locate");
+    reader.require(result.listMethods || result.floorFile || !result.inputs.empty(), "no INPUT was given");
     if (const auto exit = reader.error())
         return std::unexpected(*exit);
     return result;

@@ -49,7 +49,8 @@ std::string backOf(const Outcome& outcome)
 {
     const ReportFix& fix = outcome.fix;
     std::vector<std::string> fields{recording::exactNumberText(outcome.report.time_s),
-                                    std::to_string(outcome.report.tag),
+                                    outcome.report.tag >= 0 ? std::to_string(outcome.report.tag)
+                                                            : std::string(),
                                     fix.ok() ? "ok" : recording::csvField(estimation::toText(fix.status))};
     for (int axis = 0; axis < 3; ++axis)
         fields.push_back(fix.ok() ? numberText(fix.position(axis)) : std::string());

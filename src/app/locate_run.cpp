@@ -104,6 +104,20 @@ double sdOf(const RangeBias& bias) { return std::hypot(bias.sd_m, bias.noiseSd_m
 
 } // namespace
 
+Point2 VehicleData::mountOf(int tag) const
+{
+    const auto known = mounts.find(tag);
+    return mount ? *mount : known != mounts.end() ? known->second : Point2{};
+}
+
+PreparedRanges PreparedRanges::none(ReportList list)
+{
+    PreparedRanges prepared;
+    prepared.m_first.assign(list.reports.size() + 1, 0);
+    prepared.m_list = std::move(list);
+    return prepared;
+}
+
 Result<PreparedRanges> PreparedRanges::make(const recording::RangeTable& table, ReportList list,
                                             const AnchorSet& anchors, const UwbCalibration* calibration,
                                             const std::string& path)
@@ -197,6 +211,7 @@ Result<std::vector<ReportFix>> runMethod(std::string_view method, const Prepared
             if (vehicle != nullptr) {
                 own.startPose = vehicle->startPose;
                 own.startHeading = vehicle->startHeading;
+                own.mount = vehicle->mountOf(report.tag);
                 track.vehicle.emplace(*vehicle);
             }
             auto made = estimation::makeLocator(method, own);

@@ -10,6 +10,7 @@
 #include "recording/odometry_table.h"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,6 +31,10 @@ struct VehicleData {
     std::vector<FloorFix> floorFixes;
     std::optional<Pose2> startPose;
     std::optional<double> startHeading; ///< rad
+    std::optional<Point2> mount;        ///< of the UWB tag in the vehicle frame, m, whatever its id
+    std::map<int, Point2> mounts;       ///< by id of the tag, where mount is empty
+
+    Point2 mountOf(int tag) const;
 };
 
 /// What a method made of one report.
@@ -51,6 +56,9 @@ public:
     static Result<PreparedRanges> make(const recording::RangeTable& table, ReportList list,
                                        const AnchorSet& anchors, const UwbCalibration* calibration,
                                        const std::string& path);
+
+    /// Moments without ranges, for what floor tags and wheels say alone.
+    static PreparedRanges none(ReportList list);
 
     const ReportList& list() const { return m_list; }
     std::span<const estimation::AnchorRange> of(std::size_t report) const

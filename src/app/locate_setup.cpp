@@ -24,6 +24,10 @@ constexpr std::string_view defaultWithoutWheels = "fusion-position";
 
 bool needsWheels(std::string_view method) { return method == defaultWithWheels; }
 bool needsFloorTags(std::string_view method) { return method == "rfid-average"; }
+bool needsRanges(const MethodInfo& method)
+{
+    return method.input == MethodInput::Ranges || method.name == "fusion-particle";
+}
 
 std::string namesOf(const LocateArguments& arguments)
 {
@@ -38,6 +42,8 @@ std::optional<std::string> whyMethodIsWrong(const LocateArguments& arguments)
 {
     if (!arguments.method || *arguments.method == everyMethod)
         return std::nullopt;
+    if (*arguments.method == automaticMethod && arguments.inputs.empty())
+        return "method auto needs ranges; name an INPUT";
     if (*arguments.method == automaticMethod)
         return arguments.inSpace ? std::optional("method auto does not solve for the height, as --3d asks")
                                  : std::nullopt;
@@ -49,6 +55,8 @@ std::optional<std::string> whyMethodIsWrong(const LocateArguments& arguments)
         return "method " + *arguments.method + " does not run on ranges: " + std::string(method->title);
     if (method->input == MethodInput::Fusion && !arguments.fuse)
         return "method " + *arguments.method + " belongs to agv-console fuse";
+    if (needsRanges(*method) && arguments.inputs.empty())
+        return "method " + *arguments.method + " needs ranges; name an INPUT";
     if (needsWheels(*arguments.method) && !arguments.odometryFile)
         return "method " + *arguments.method + " needs --odometry";
     if (needsFloorTags(*arguments.method) && !arguments.floorFile)
@@ -67,6 +75,8 @@ bool isWanted(const MethodInfo& method, const LocateArguments& arguments)
     if (needsWheels(method.name) && !arguments.odometryFile)
         return false;
     if (needsFloorTags(method.name) && !arguments.floorFile)
+        return false;
+    if (needsRanges(method) && arguments.inputs.empty())
         return false;
     return method.inSpace || !arguments.inSpace;
 }
@@ -129,8 +139,12 @@ std::optional<std::string> whyUsageIsWrong(const LocateArguments& arguments)
 {
     if (arguments.listMethods)
         return std::nullopt;
-    if (arguments.inputs.empty())
+    if (arguments.inputs.empty() && !(arguments.fuse && arguments.floorFile))
         return "name at least one INPUT with ranges";
+    if (arguments.inputs.empty() && arguments.odometryFile && !arguments.startPosition)
+        return "without an INPUT nothing says where the vehicle stands at first; give --start and --heading";
+    if (arguments.inputs.empty() && arguments.calibrate)
+        return "--calibrate needs an INPUT with ranges";
     if (arguments.plantFile && arguments.anchorsFile && !arguments.fuse)
         return "--plant and --anchors exclude each other";
     if (arguments.height_m && arguments.inSpace)

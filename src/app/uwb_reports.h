@@ -13,9 +13,9 @@ namespace agv::app {
 /// Ranges of one tag that belong to one moment.
 struct UwbReport {
     double time_s = 0.0;
-    int tag = 0;
+    int tag = 0;                   ///< -1: a moment of floor tags, without ranges
     std::size_t track = 0;         ///< reports that one filter takes, one after the other
-    std::vector<std::size_t> rows; ///< of the table, one per anchor
+    std::vector<std::size_t> rows; ///< of the table, one per anchor; empty only without a tag
 };
 
 /// The reports of a file in its order.

@@ -66,6 +66,11 @@ std::optional<TrueAt> TruthIndex::at(const RangeTable& table, std::size_t row, d
     return places == nullptr ? std::nullopt : between(*places, time_s);
 }
 
+std::optional<TrueAt> TruthIndex::at(double time_s) const
+{
+    return m_places.size() == 1 ? between(m_places.begin()->second, time_s) : std::nullopt;
+}
+
 std::optional<TrueAt> TruthIndex::between(const Places& places, double time_s)
 {
     if (!places.front()->time_s)

@@ -35,6 +35,8 @@ public:
 
     /// The truth for a row of the table; nothing when it is not known at that time.
     std::optional<TrueAt> at(const recording::RangeTable& table, std::size_t row, double time_s) const;
+    /// The truth for a read of floor tags, which has neither a UWB tag nor columns: that of the only tag.
+    std::optional<TrueAt> at(double time_s) const;
 
 private:
     using Places = std::vector<const recording::TruePlace*>;

@@ -135,6 +135,14 @@ Result<VehicleData> readVehicleData(const LocateArguments& arguments, std::ostre
     data.startHeading = arguments.startHeading;
     if (arguments.startPosition)
         data.startPose = Pose2{*arguments.startPosition, arguments.startHeading.value_or(0.0)};
+    data.mount = arguments.mount;
+    if (arguments.plantFile && !arguments.mount) {
+        const auto plant = readPlantFile(*arguments.plantFile);
+        if (!plant)
+            return std::unexpected(plant.error());
+        for (const UwbTag& tag : plant->uwb.tags)
+            data.mounts[tag.id] = tag.mount;
+    }
     if (arguments.odometryFile) {
         const auto distance_m = wheelDistance(arguments);
         if (!distance_m)

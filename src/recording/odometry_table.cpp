@@ -3,6 +3,7 @@
 
 #include "recording/csv_table.h"
 
+#include <cmath>
 #include <string>
 
 namespace agv::recording {
@@ -47,10 +48,14 @@ std::string takeRow(const CsvTable& table, const OdometryLayout& layout, double 
     const double second = *table.number(layout.second);
     if (!odometry.rows.empty() && time_s < odometry.rows.back().time_s)
         return "t_s: steps back; odometry must be in the order of time";
-    if (layout.wheels)
-        odometry.rows.push_back({time_s, 0.5 * (first + second), (second - first) / track_m});
-    else
-        odometry.rows.push_back({time_s, first, second});
+    const OdometryRow row = layout.wheels
+                                ? OdometryRow{time_s, 0.5 * (first + second), (second - first) / track_m}
+                                : OdometryRow{time_s, first, second};
+    if (!std::isfinite(row.forward) || !std::isfinite(row.turn))
+        return table.header()[layout.first] + ", " + table.header()[layout.second] +
+               ": are beyond all measure (" + inQuotes(table.field(layout.first)) + ", " +
+               inQuotes(table.field(layout.second)) + ")";
+    odometry.rows.push_back(row);
     return {};
 }
 

@@ -108,8 +108,11 @@ std::string takeRow(const CsvTable& table, const TruthLayout& layout, std::vecto
         TruePlace place = row;
         place.x_m = *x;
         place.y_m = *y;
-        if (columns.z)
+        if (columns.z) {
             place.z_m = table.number(*columns.z);
+            if (!place.z_m && !table.field(*columns.z).empty())
+                return notANumber(table, *columns.z);
+        }
         if (columns.tag)
             place.tag = columns.tag;
         places.push_back(std::move(place));

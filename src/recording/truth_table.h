@@ -34,8 +34,8 @@ struct TruthTable {
 
 /// A table with the columns x_m, y_m and, if it has them, z_m, t_s, tag; or, for several tags in one row,
 /// tag0_x, tag0_y, tag0_z, tag1_x, ... in metres. body_z_m is the height of tags that have none of their own.
-/// All other columns are kept. A bad row is a problem and never stops the others; an empty place is passed
-/// over. BadInput "LINE: ..." when there is no place at all.
+/// All other columns are kept. A height may be left out. A bad row is a problem and never stops the others;
+/// an empty place is passed over. BadInput "LINE: ..." when there is no place at all.
 Result<TruthTable> readTruthCsv(std::string_view text);
 
 } // namespace agv::recording

@@ -186,13 +186,16 @@ private slots:
         QCOMPARE(locate->seed, std::uint64_t{4});
         QVERIFY(parseLocateArguments({"a.csv", "--3d"})->inSpace);
         QVERIFY(parseLocateArguments({"--list-methods"})->listMethods);
-        const auto fuse = parseFuseArguments({"a.csv", "--odometry", "o.csv", "--wheel-distance", "0.3",
-                                              "--heading", "180", "--start", "1.5,-2", "--rfid", "r.csv"});
+        const auto fuse =
+            parseFuseArguments({"a.csv", "--odometry", "o.csv", "--wheel-distance", "0.3", "--heading", "180",
+                                "--start", "1.5,-2", "--rfid", "r.csv", "--mount", "80,-25"});
         QVERIFY(fuse.has_value());
         QVERIFY(fuse->fuse);
         QCOMPARE(fuse->track_m, std::optional(0.3));
         QCOMPARE(*fuse->startHeading, radFromDeg(180.0));
         QCOMPARE(*fuse->startPosition, (Point2{1.5, -2.0}));
+        QCOMPARE(*fuse->mount, (Point2{0.08, -0.025}));
+        QVERIFY(parseFuseArguments({"--rfid", "r.csv"})->inputs.empty());
     }
     void wrongUsageOfLocateAndFuseNamesTheOption()
     {
@@ -207,6 +210,9 @@ private slots:
         QVERIFY(locate("a --odometry o").text.contains("odometry"));
         QVERIFY(fuse("a").text.contains("needs --odometry or --rfid"));
         QVERIFY(fuse("a --rfid r --start 1").text.contains("must be X,Y in metres"));
+        QVERIFY(
+            fuse("a --rfid r --mount 1,9000").text.contains("must be X,Y in mm, each from -2000 to 2000"));
+        QVERIFY(fuse("--odometry o").text.contains("no INPUT was given"));
         QCOMPARE(fuse("a --rfid r --heading north").status, 2);
     }
 };

@@ -3,7 +3,9 @@
 // AGV_RECORDINGS names another folder. The commands are those of docs/BENCHMARKS-uwb.md.
 #include "app/locate.h"
 
+#include "core/text_file.h"
 #include "recording/csv_table.h"
+#include "recording/floor_read_table.h"
 
 #include <cmath>
 #include <cstdio>
@@ -14,6 +16,8 @@
 #include <numbers>
 #include <regex>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace agv::app {
 namespace {
@@ -139,6 +143,85 @@ TEST_F(LocateRecordings, ARobotInALabyrinth)
     arguments.track_m = 0.157;
     arguments.startHeading = std::numbers::pi;
     EXPECT_LE(column(arguments, "rmse").at("fusion"), 70.0);
+}
+
+/// What positions from floor tags can be judged by without a truth.
+struct FloorTrack {
+    std::size_t positions = 0;
+    std::size_t reads = 0;
+    std::size_t withinReach = 0; ///< reads of tags no farther from the position than the reader reaches
+    std::size_t plausible = 0;   ///< the same, allowing two sds that the position claims for itself
+    double roughness_m = 0.0;    ///< mean length of the second difference of three positions 0.25 s apart
+};
+
+FloorTrack judged(const std::string& positionsText, const recording::FloorReadTable& reads,
+                  const recording::TagPlaceTable& tags)
+{
+    constexpr double reach_m = 0.14; // of the reader, measured; also the pitch of the tags
+    constexpr double longestStep_s = 0.3;
+    std::map<double, Point2> track;
+    std::map<double, double> sds_m;
+    auto positions = recording::CsvTable::open(positionsText);
+    while (positions->next()) {
+        const double time_s = *positions->number(*positions->column("t_s"));
+        sds_m[time_s] = positions->number(*positions->column("sd_x_m")).value_or(0.0);
+        track[time_s] = {*positions->number(*positions->column("x_m")),
+                         *positions->number(*positions->column("y_m"))};
+    }
+    FloorTrack result;
+    result.positions = track.size();
+    for (const recording::FloorReadRow& row : reads.rows)
+        for (const std::string& uid : row.uids)
+            for (const recording::TagPlace& tag : tags.tags)
+                if (tag.uid == uid && track.contains(row.time_s)) {
+                    const Point2 away = track.at(row.time_s) - Point2{tag.x_m, tag.y_m};
+                    ++result.reads;
+                    const double distance_m = std::hypot(away.x, away.y);
+                    result.withinReach += distance_m <= reach_m ? 1 : 0;
+                    result.plausible += distance_m <= reach_m + 2.0 * sds_m.at(row.time_s) ? 1 : 0;
+                }
+    std::size_t steps = 0;
+    const std::vector<std::pair<double, Point2>> points(track.begin(), track.end());
+    for (std::size_t i = 2; i < points.size(); ++i) {
+        if (points[i].first - points[i - 2].first > 2.0 * longestStep_s)
+            continue;
+        const Point2 bend =
+            points[i].second - points[i - 1].second - (points[i - 1].second - points[i - 2].second);
+        result.roughness_m += std::hypot(bend.x, bend.y);
+        ++steps;
+    }
+    result.roughness_m /= static_cast<double>(steps);
+    return result;
+}
+
+TEST_F(LocateRecordings, FloorReadsOfADrivingVehicle)
+{
+    for (const char* name : {"experiment_1.csv", "firstTest.csv"}) {
+        LocateArguments arguments;
+        arguments.fuse = true;
+        arguments.floorFile = path("rfid_dyn_dortmund/known/" + std::string(name));
+        arguments.tagsFile = path("rfid_dyn_dortmund/tag_map.csv");
+        const auto reads =
+            recording::readFloorReadCsv(readTextFile(*arguments.floorFile, 1U << 20U).value_or(""));
+        const auto tags =
+            recording::readTagPlaceCsv(readTextFile(*arguments.tagsFile, 1U << 20U).value_or(""));
+        ASSERT_TRUE(reads && tags);
+        std::map<std::string, FloorTrack> tracks;
+        for (const char* method : {"rfid-average", "fusion-position"}) {
+            arguments.method = method;
+            const FloorTrack track = judged(run(arguments).out, *reads, *tags);
+            std::printf(
+                "%s %s: %zu positions, %zu of %zu reads within reach, %zu with its sds, roughness %.1f mm\n",
+                name, method, track.positions, track.withinReach, track.reads, track.plausible,
+                1e3 * track.roughness_m);
+            tracks[method] = track;
+        }
+        EXPECT_GT(tracks["rfid-average"].positions, 30U);
+        EXPECT_EQ(tracks["rfid-average"].positions, tracks["fusion-position"].positions);
+        EXPECT_EQ(tracks["rfid-average"].withinReach, tracks["rfid-average"].reads);
+        EXPECT_GE(tracks["fusion-position"].plausible, tracks["fusion-position"].reads * 95 / 100);
+        EXPECT_LT(tracks["fusion-position"].roughness_m, tracks["rfid-average"].roughness_m);
+    }
 }
 
 TEST_F(LocateRecordings, SerialLines)

@@ -50,6 +50,24 @@ TEST(TruthTable, NamesBadLinesAndKeepsTheOthers)
     EXPECT_EQ(truth->problems.kept()[2].line, 5);
 }
 
+TEST(TruthTable, AHeightThatIsNoNumberIsNamed)
+{
+    const auto truth = readTruthCsv("x_m,y_m,z_m\n1,2,high\n1,2,\n");
+    ASSERT_TRUE(truth) << truth.error().detail;
+    EXPECT_EQ(truth->places.size(), 1U);
+    ASSERT_EQ(truth->problems.count(), 1U);
+    EXPECT_EQ(truth->problems.kept()[0].reason, "z_m: must be a number (is 'high')");
+}
+
+TEST(OdometryTable, SpeedsBeyondAllMeasureAreNamed)
+{
+    const auto odometry = readOdometryCsv("t_s,v_left_mps,v_right_mps\n1,-1e308,1e308\n2,0.1,0.1\n", 0.157);
+    ASSERT_TRUE(odometry) << odometry.error().detail;
+    EXPECT_EQ(odometry->rows.size(), 1U);
+    ASSERT_EQ(odometry->problems.count(), 1U);
+    EXPECT_NE(odometry->problems.kept()[0].reason.find("beyond all measure"), std::string::npos);
+}
+
 TEST(TruthTable, WithoutAPlaceIsRefused)
 {
     for (const char* text : {"", "a,b\n1,2\n", "x_m,y_m\n", "x_m,y_m\nfar,away\n", "tag0_x,tag1_y\n1,2\n"}) {

@@ -81,7 +81,7 @@ public:
                 return {};
             return answer();
         }
-        const MeasurementRecords& records = m_filter.update(ranges);
+        const MeasurementRecords& records = m_filter.update(ranges, m_settings.mount);
         Located result = answer();
         result.records = records;
         return result;
@@ -109,9 +109,12 @@ private:
         if (heard.size() < m_first.size())
             return;
         const UwbFix fix = firstFix({heard.data(), heard.size()}, m_settings.height_m);
-        if (fix.ok())
-            m_filter.start(
-                Pose2{{fix.position.x(), fix.position.y()}, m_settings.startHeading.value_or(0.0)});
+        if (!fix.ok())
+            return;
+        const double heading = m_settings.startHeading.value_or(0.0);
+        const Point2 centre =
+            fromVehicleFrame({{fix.position.x(), fix.position.y()}, heading}, -1.0 * m_settings.mount);
+        m_filter.start(Pose2{centre, heading});
     }
     Located answer() const
     {

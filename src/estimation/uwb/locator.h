@@ -23,6 +23,9 @@ struct LocatorSettings {
         {}; ///< for fusion with odometry: where and how the vehicle stands at first
     /// For fusion with odometry without startPose: how the vehicle stands at first, rad; 0 without it.
     std::optional<double> startHeading = {};
+    /// For fusion with odometry: the tag in the vehicle frame, m. The answer is the place of the vehicle's
+    /// centre.
+    Point2 mount = {};
     std::uint64_t seed = 1; ///< of particle filters
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // In steady state no report allocates: fixes, trackers and fusion work in memory of their own.
+#include "bench/uwb_report_chain.h"
 #include "estimation/fusion/vehicle_fusion.h"
 #include "estimation/uwb/range_ekf.h"
 #include "estimation/uwb/range_particle_filter.h"
@@ -68,6 +69,27 @@ TEST(Allocations, AreNotMadeByReports)
                   fusion.updateFloorTag({1.5, 1.0});
               }),
               0);
+}
+
+TEST(Allocations, AreNotMadeFromTheBytesOfAUnitToThePositionsOfItsTags)
+{
+    constexpr int tags = 3;
+    constexpr int rounds = 50;
+    const std::string bytes = chain::reportBytes(tags, rounds);
+    const std::size_t length = bytes.size() / (tags * rounds);
+    for (const std::size_t read : {std::size_t{1}, length - 1, length, std::size_t{1000}}) {
+        chain::Tracks tracks(tags);
+        Time now{};
+        std::size_t positions = 0;
+        const auto feedAll = [&] {
+            for (std::size_t at = 0; at < bytes.size(); at += read)
+                positions += tracks.feed(std::string_view(bytes).substr(at, read),
+                                         now += std::chrono::microseconds(400 * read));
+        };
+        feedAll();
+        EXPECT_EQ(allocationsOf(feedAll), 0) << "in reads of " << read;
+        EXPECT_EQ(positions, 101U * tags * rounds) << "in reads of " << read;
+    }
 }
 
 } // namespace
