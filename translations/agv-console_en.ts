@@ -1532,6 +1532,54 @@ x %3, y %4, height %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Anchor %1 is not in the list: enter its height to have it placed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchor %1 has no ranges to the others and stays where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchor %1 has too few ranges to the others to be placed and stays where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More than one arrangement fits the ranges and the one nearest to the list was taken: look whether it is right, the range between anchors %1 and %2 would tell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The range between anchors %1 and %2 is %3 mm too long: look for what stands between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The range between anchors %1 and %2 is %3 mm too short: look for what stands between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The range between anchors %1 and %2 (%3 mm) is shorter than the difference of their heights (%4 mm): correct the heights in the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no anchor in the list: enter the anchors with their heights first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No ranges between the anchors were heard: switch the anchors on and connect the unit that is anchor 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too few pairs of anchors range with each other: three anchors that all see each other are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The anchors stand nearly on one line: their ranges do not tell how far beside it; move one of them aside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ranges between the anchors fit no arrangement: look for what hides the anchors from each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Only %1 of the 3 ranges that a position needs: look for what hides the anchors</source>
         <translation type="unfinished"></translation>
     </message>

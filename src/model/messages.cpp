@@ -121,6 +121,35 @@ const char* const patterns[] = {
     QT_TRANSLATE_NOOP("agv::model::Messages",
                       "Anchor %1 measures this tag, but is not in the plant file: enter where it is"),
     QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "Anchor %1 is not in the list: enter its height to have it placed"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Anchor %1 has no ranges to the others and stays where it is"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "Anchor %1 has too few ranges to the others to be placed and stays where it is"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "More than one arrangement fits the ranges and the one nearest to the list was taken: "
+                      "look whether it is right, the range between anchors %1 and %2 would tell"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "The range between anchors %1 and %2 is %3 mm too long: look for what stands between them"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "The range between anchors %1 and %2 is %3 mm too short: look for what stands between them"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "The range between anchors %1 and %2 (%3 mm) is shorter than the difference of their "
+                      "heights (%4 mm): correct the heights in the list"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "There is no anchor in the list: enter the anchors with their heights first"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "No ranges between the anchors were heard: switch the anchors "
+                                              "on and connect the unit that is anchor 0"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "Too few pairs of anchors range with each other: three anchors that all see each other are needed"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The anchors stand nearly on one line: their ranges do not "
+                                              "tell how far beside it; move one of them aside"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "The ranges between the anchors fit no arrangement: look for what hides the anchors from each other"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
                       "Only %1 of the 3 ranges that a position needs: look for what hides the anchors"),
     QT_TRANSLATE_NOOP("agv::model::Messages",
                       "The ranges fit no position: check the anchors' places in the plant file"),

@@ -2,6 +2,7 @@
 #include "session/session.h"
 
 #include "estimation/turn_solver.h"
+#include "estimation/uwb/anchor_survey.h"
 #include "link/robot_server.h"
 #include "link/stranger_watch.h"
 #include "link/telemetry_socket.h"
@@ -302,6 +303,12 @@ void Session::askUwb()
 {
     if (d->uwb)
         d->uwb->link().ask();
+}
+
+void Session::surveyAnchors()
+{
+    emit anchorsSurveyed(d->uwb ? d->uwb->link().surveyAnchors(monotonicNow())
+                                : estimation::surveyAnchors({}, {}));
 }
 
 void Session::startTurn(int robot, const TurnParameters& parameters)

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 
+#include "core/anchor_survey.h"
 #include "core/plant_layout.h"
 #include "core/snapshot.h"
 #include "core/turn.h"
@@ -48,6 +49,9 @@ public slots:
     void setUwbPort(const agv::SerialPortChoice& port);
     /// Asks the unit for its version and configuration even when it is a clone.
     void askUwb();
+    /// Finds where the anchors stand from the ranges between them that were heard last; anchorsSurveyed()
+    /// answers at once.
+    void surveyAnchors();
     void startTurn(int robot, const agv::TurnParameters& parameters);
     void abortTurn(int robot, const QString& reason);
     void retakeStop(int robot, int stop);                 ///< 0-based
@@ -69,6 +73,8 @@ signals:
     void turnEnded(int robot, const agv::TurnSnapshot& turn, std::shared_ptr<const agv::TurnRecord> record);
     /// startTurn() did not start one; the Warning event says the same.
     void turnRefused(int robot, const QString& reason);
+    /// Once for each surveyAnchors(); AnchorSurvey::trouble says why there are no places.
+    void anchorsSurveyed(const agv::AnchorSurvey& survey);
     /// Every byte of a reader with the monotonic time of its arrival; for recordings.
     void readerBytes(int robot, const QByteArray& bytes, agv::Time time);
     /// Every byte of the UWB unit with the monotonic time of its arrival; for recordings.

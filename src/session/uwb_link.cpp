@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/uwb_link.h"
 
+#include "estimation/uwb/anchor_survey.h"
 #include "session/wall_clock.h"
 
 #include <algorithm>
@@ -80,6 +81,7 @@ void UwbLink::onConnected()
     m_stream.reset();
     m_ranges.reset();
     m_ranges.setReportPeriod({}); // it may be another unit
+    m_anchorPairs.clear();
     m_unitReported = false;
     carryOut(m_life.connected(now));
     carryOut(m_handshake.opened(m_link->port()->usb == trekUsbId, now));
@@ -103,6 +105,7 @@ void UwbLink::takeReport(const protocol::TrekReport& report)
     const bool isOfATag =
         report.kind != protocol::TrekLineKind::Raw && report.kind != protocol::TrekLineKind::Anchors;
     const protocol::RangeSet ranges = m_ranges.read(report);
+    m_anchorPairs.add(ranges);
     if (!isOfATag)
         return;
     Tag& tag = tagOf(report.tag);
@@ -175,6 +178,7 @@ UwbSnapshot UwbLink::snapshot(Time now)
     snapshot.dialectIsChosen = m_settings.dialect.has_value();
     snapshot.unit = m_handshake.unit();
     snapshot.unitNote = m_handshake.reason();
+    snapshot.anchorPairs = m_anchorPairs.snapshot(steadySeconds(now));
     for (auto& [id, tag] : m_tags) {
         UwbTagSnapshot entry = tag.track.snapshot(steadySeconds(now));
         const protocol::TagTraffic& traffic = m_ranges.traffic(id);
@@ -185,6 +189,11 @@ UwbSnapshot UwbLink::snapshot(Time now)
         snapshot.tags.push_back(std::move(entry));
     }
     return snapshot;
+}
+
+AnchorSurvey UwbLink::surveyAnchors(Time now) const
+{
+    return estimation::surveyAnchors(m_anchorPairs.snapshot(steadySeconds(now)), m_anchors);
 }
 
 LinkSnapshot UwbLink::linkSnapshot(Time now)

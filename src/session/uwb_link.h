@@ -5,6 +5,7 @@
 #include <QString>
 #include <QTimer>
 
+#include "core/anchor_survey.h"
 #include "core/plant_layout.h"
 #include "core/snapshot.h"
 #include "link/serial_link.h"
@@ -12,6 +13,7 @@
 #include "procedure/uwb_handshake.h"
 #include "protocol/trek_ranges.h"
 #include "protocol/trek_stream.h"
+#include "session/anchor_pairs.h"
 #include "session/rate_meter.h"
 #include "session/uwb_tag_track.h"
 
@@ -46,6 +48,8 @@ public:
     void ask();
 
     UwbSnapshot snapshot(Time now);
+    /// Where the anchors of the plant stand by the last ranges between them.
+    AnchorSurvey surveyAnchors(Time now) const;
 
 signals:
     /// Every byte as it came, for recordings.
@@ -81,6 +85,7 @@ private:
     bool m_unitReported = false;
     protocol::TrekStream m_stream;
     protocol::TrekRanges m_ranges;
+    AnchorPairs m_anchorPairs;
     std::map<int, Tag> m_tags; ///< that were heard
     RateMeter m_rate;
     std::optional<Time> m_lastReport;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 
+#include "estimation/uwb/anchor_survey.h"
 #include "gui/application_setup.h"
 #include "link/failure_text.h"
 #include "link/serial_failure_text.h"
@@ -36,6 +37,7 @@ private slots:
     void everySerialFailureHasItsGermanSentence();
     void whyAUwbUnitIsNotKnownHasItsGermanSentence();
     void whyAUwbTagHasNoPositionHasItsGermanSentence();
+    void whatASurveyOfTheAnchorsSaysHasItsGermanSentence();
     void whatAUwbUnitIsHasItsGermanSentence();
     void everyBadParameterHasItsGermanSentence();
     void whereASleeptimeIsKeptHasItsGermanSentence();
@@ -187,6 +189,45 @@ void MessagesTest::whyAUwbTagHasNoPositionHasItsGermanSentence()
     checkTranslated(reasonFor({0, 7}, 0.1));
     checkTranslated(reasonFor({0, 1, 2}, 0.1)); // on one line
     checkTranslated(reasonFor({0, 1}, 12.0));
+}
+
+void MessagesTest::whatASurveyOfTheAnchorsSaysHasItsGermanSentence()
+{
+    const std::vector<UwbAnchor> anchors{{0, "A0", 0.0, 0.0, 2.0, true}, {1, "A1", 4.0, 0.0, 2.0, true},
+                                         {2, "A2", 0.0, 3.0, 2.0, true}, {3, "A3", 4.0, 3.0, 2.0, true},
+                                         {4, "A4", 2.0, 5.0, 2.0, true}, {5, "A5", 3.0, 5.0, 2.0, true}};
+    const auto pair = [](int first, int second, double range_m) {
+        return AnchorPairSnapshot{
+            .first = first, .second = second, .range_m = range_m, .sd_m = 0.03, .count = 100};
+    };
+    const std::vector<AnchorPairSnapshot> triangle{pair(0, 1, 4.0), pair(0, 2, 3.0), pair(1, 2, 5.0)};
+    const auto check = [&](std::vector<AnchorPairSnapshot> pairs, const std::vector<UwbAnchor>& listed,
+                           std::size_t notes) {
+        const AnchorSurvey survey = estimation::surveyAnchors(pairs, listed);
+        QCOMPARE(survey.notes.size(), notes);
+        QCOMPARE(survey.anchors.empty(), !survey.trouble.empty());
+        if (!survey.trouble.empty())
+            checkTranslated(survey.trouble);
+        for (const std::string& note : survey.notes)
+            checkTranslated(note);
+    };
+    const auto with = [&](const std::vector<AnchorPairSnapshot>& more) {
+        std::vector<AnchorPairSnapshot> pairs = triangle;
+        pairs.insert(pairs.end(), more.begin(), more.end());
+        return pairs;
+    };
+    check({}, {}, 0);
+    check({}, anchors, 0);
+    check({pair(0, 1, 4.0)}, anchors, 1);                                   // too few, others silent
+    check({pair(0, 1, 4.0), pair(0, 2, 8.0), pair(1, 2, 4.0)}, anchors, 1); // on one line
+    check(with({pair(1, 3, 3.0), pair(2, 3, 4.0), pair(0, 4, 5.4), pair(0, 9, 1.0)}), anchors, 4);
+    check(with({pair(1, 3, 3.0), pair(2, 3, 4.0), pair(0, 3, 6.5)}), anchors, 7); // long, the others short
+    std::vector<UwbAnchor> high = anchors;
+    high[0].z = 9.0;
+    check(triangle, high, 0);
+    // When the adjustment does not settle, which none of the ranges above bring about.
+    checkTranslated("The ranges between the anchors fit no arrangement: look for what hides the anchors from "
+                    "each other");
 }
 
 void MessagesTest::whatAUwbUnitIsHasItsGermanSentence()

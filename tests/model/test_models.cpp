@@ -155,6 +155,9 @@ void ModelTest::aChangedDialectChangesTheRowOfTheUwbUnit()
     QCOMPARE(cell(model, 0, LinkTableModel::Connection), QStringLiteral("UWB"));
     QSignalSpy changes(&model, &QAbstractItemModel::dataChanged);
     snapshot.uwb->tags.push_back({});
+    snapshot.uwb->anchors.push_back({});
+    snapshot.uwb->anchorPairs.push_back({});
+    snapshot.uwb->calibration.progress = 0.5;
     model.setSnapshot(snapshot);
     QCOMPARE(changes.count(), 0);
     snapshot.uwb->dialect = UwbDialect::UlmFour;
