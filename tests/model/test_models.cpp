@@ -137,7 +137,7 @@ void ModelTest::theUwbUnitIsTheLastRowWithItsDialectAndGaps()
     model.setSnapshot(snapshot);
     QCOMPARE(model.rowCount(), 5);
     QCOMPARE(cell(model, 4, LinkTableModel::Connection), QStringLiteral("UWB (trek)"));
-    QCOMPARE(cell(model, 4, LinkTableModel::Data), QStringLiteral("20.0 /s"));
+    QCOMPARE(cell(model, 4, LinkTableModel::Data), QStringLiteral("20.0\u00a0/s"));
     QCOMPARE(cell(model, 4, LinkTableModel::Dropped), QStringLiteral("3"));
     QCOMPARE(model.index(4, 0).data(LinkTableModel::RobotRole).toInt(), 0);
     const QString toolTip = model.index(4, 0).data(Qt::ToolTipRole).toString();
