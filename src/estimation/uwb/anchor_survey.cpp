@@ -115,7 +115,7 @@ private:
                    "one of them aside";
         }
         const std::vector<SurveyNetwork> likely = arrangements(m_network);
-        if (likely.empty())
+        if (likely.front().residual_m() > m_settings.hopelessBeyond_m)
             return "The ranges between the anchors fit no arrangement: look for what hides the anchors from "
                    "each other";
         m_network = nearestToList(likely);

@@ -15,6 +15,8 @@ struct AnchorSurveySettings {
     double pairSd_m = 0.03;
     /// A residual beyond, m, is worth a note.
     double noteBeyond_m = 0.15;
+    /// Root mean square of the residuals beyond which there are no places, m.
+    double hopelessBeyond_m = 0.5;
     /// Anchors nearer to one line than this share of its length leave open how far beside it they stand.
     double flattest = 0.05;
 };

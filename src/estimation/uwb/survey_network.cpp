@@ -12,9 +12,13 @@ namespace {
 
 constexpr int mostAdjustments = 100;
 constexpr double settled_m = 1e-7;
+constexpr double settledGain = 1e-7; ///< of chi squared, in a flat valley
 constexpr double leastDistance_m = 1e-9;
-constexpr double placesApart_m = 0.1;     ///< nearer ones are the same
-constexpr std::size_t mostFollowed = 16;  ///< arrangements
+constexpr double placesApart_m = 0.1;       ///< nearer ones are the same
+constexpr std::ptrdiff_t mostFollowed = 64; ///< arrangements
+/// An arrangement is no longer followed when its sum of squares is so many times what the best one has and
+/// what its ranges make one expect. Much, because places are not adjusted to each other yet.
+constexpr double hopeless = 100.0;
 constexpr double flatWithinSds = 3.0;     ///< of the sum of three ranges
 constexpr Eigen::Index freeMotions = 3;   ///< a network can be shifted and turned
 constexpr double leastInformation = 1e-9; ///< 1/m^2; keeps matrices regular
@@ -254,7 +258,7 @@ void SurveyNetwork::normalEquations(Eigen::MatrixXd& information, Eigen::VectorX
 }
 
 /// Gauss-Newton with Levenberg's damping, which also holds the motions that no range sees.
-bool SurveyNetwork::adjust()
+void SurveyNetwork::adjust()
 {
     Eigen::MatrixXd information;
     Eigen::VectorXd gradient;
@@ -264,23 +268,23 @@ bool SurveyNetwork::adjust()
         information.diagonal().array() += damping * information.diagonal().maxCoeff() + leastInformation;
         const Eigen::VectorXd step = information.ldlt().solve(gradient);
         if (!step.allFinite())
-            return false;
+            return;
         std::map<int, Eigen::Vector2d> moved = m_places;
         Eigen::Index row = 0;
         for (auto& [id, place] : moved) {
             place += step.segment<2>(row);
             row += 2;
         }
-        if (chiSquared(moved) <= chiSquared()) {
+        const double gain = chiSquared() - chiSquared(moved);
+        if (gain >= 0.0) {
             m_places = std::move(moved);
             damping = std::max(damping * 0.1, 1e-9);
         } else {
             damping *= 10.0;
         }
-        if (step.lpNorm<Eigen::Infinity>() < settled_m)
-            return true;
+        if (step.lpNorm<Eigen::Infinity>() < settled_m || (gain >= 0.0 && gain < settledGain))
+            return;
     }
-    return false;
 }
 
 /// Of the network as a whole (inner constraints): the eigenvectors of the smallest eigenvalues are its free
@@ -331,10 +335,15 @@ std::vector<SurveyNetwork> arrangements(const SurveyNetwork& triangle)
         if (next.empty())
             break;
         std::ranges::stable_sort(next, {}, likelihoodOrder);
-        next.resize(std::min(next.size(), mostFollowed));
+        const double ranges = static_cast<double>(next.front().placedRanges().size());
+        const double most = hopeless * (ranges + next.front().chiSquared());
+        std::erase_if(next, [=](const SurveyNetwork& network) { return network.chiSquared() > most; });
+        if (std::ssize(next) > mostFollowed)
+            next.erase(next.begin() + mostFollowed, next.end());
         followed = std::move(next);
     }
-    std::erase_if(followed, [](SurveyNetwork& network) { return !network.adjust(); });
+    for (SurveyNetwork& network : followed)
+        network.adjust();
     std::ranges::stable_sort(followed, {}, likelihoodOrder);
     return followed;
 }

@@ -42,8 +42,8 @@ public:
     /// This arrangement with one anchor more, the one that ranges with most of the placed ones, at its likely
     /// places: two, when they lie apart. Empty when no anchor ranges with two placed ones.
     std::vector<SurveyNetwork> withNext() const;
-    /// Maximum likelihood of all placed anchors together; false when it does not settle.
-    bool adjust();
+    /// Towards the maximum likelihood of all placed anchors together; never fits worse than before.
+    void adjust();
 
     const std::map<int, Eigen::Vector2d>& places() const { return m_places; } ///< by id
     std::set<int> unplaced() const;
@@ -75,8 +75,8 @@ private:
     std::map<int, Eigen::Vector2d> m_places;
 };
 
-/// All that the ranges allow from a network whose triangle is placed, adjusted and the most likely first;
-/// empty when none settles. An anchor that ranges with two others only, or with some on one line, has two
+/// All that the ranges allow from a network whose triangle is placed, adjusted and the most likely first; one
+/// at least. An anchor that ranges with two others only, or with some on one line, has two
 /// places, and which one is right may show only at an anchor that is placed later: so both are followed.
 std::vector<SurveyNetwork> arrangements(const SurveyNetwork& triangle);
 

@@ -237,6 +237,46 @@ TEST(SurveyAnchors, aRangeThatDoesNotFitIsNoted)
     EXPECT_GT(survey.residual_m, 0.05);
 }
 
+TEST(SurveyAnchors, rangesThatFitNoArrangementAreATrouble)
+{
+    std::vector<AnchorPairSnapshot> pairs = allPairs(4);
+    pairs[2].range_m += 6.0; // 0 and 3
+    const AnchorSurvey survey = surveyAnchors(pairs, first(4));
+    EXPECT_TRUE(survey.trouble.starts_with("The ranges between the anchors fit no arrangement"));
+    EXPECT_TRUE(survey.anchors.empty());
+}
+
+TEST(SurveyAnchors, sparseNetworksAreRightWithinTheirSdsOrSayThatTheyCouldBeTwo)
+{
+    // Six anchors anywhere, a fifth of the pairs missing, the list 0.3 m off.
+    int right = 0;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        SplitMix64 random(seed);
+        std::vector<UwbAnchor> truth;
+        for (int id = 0; id < 6; ++id)
+            truth.push_back({id, "A", random.uniform(0.0, 10.0), random.uniform(0.0, 8.0),
+                             random.uniform(1.0, 3.0), true});
+        std::vector<AnchorPairSnapshot> pairs;
+        for (std::size_t i = 0; i < truth.size(); ++i)
+            for (std::size_t k = i + 1; k < truth.size(); ++k)
+                if (random.uniform() > 0.2)
+                    pairs.push_back(pairOf(truth[i], truth[k], 0.03 * random.normal()));
+        std::vector<UwbAnchor> list = truth;
+        for (UwbAnchor& anchor : list)
+            anchor.x += 0.3 * random.normal();
+        const AnchorSurvey survey = surveyAnchors(pairs, list);
+        if (!survey.trouble.empty())
+            continue;
+        const bool isNoted = std::ranges::any_of(
+            survey.notes, [](const std::string& note) { return note.starts_with("More than one"); });
+        const double worstSd_m = std::ranges::max(survey.anchors, {}, &SurveyedAnchor::sd_m).sd_m;
+        const bool isRight = largestError_m(survey, truth) < 0.1 + 6.0 * worstSd_m;
+        EXPECT_TRUE(isNoted || isRight) << seed;
+        right += isRight && !isNoted ? 1 : 0;
+    }
+    EXPECT_GT(right, 30);
+}
+
 TEST(SurveyAnchors, withoutRangesThereIsATrouble)
 {
     EXPECT_TRUE(surveyAnchors({}, hall).trouble.starts_with("No ranges between the anchors were heard"));
