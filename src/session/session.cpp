@@ -299,16 +299,16 @@ void Session::setUwbPort(const SerialPortChoice& port)
         d->uwb->link().setPort(port);
 }
 
-void Session::askUwb()
-{
-    if (d->uwb)
-        d->uwb->link().ask();
-}
-
 void Session::surveyAnchors()
 {
     emit anchorsSurveyed(d->uwb ? d->uwb->link().surveyAnchors(monotonicNow())
                                 : estimation::surveyAnchors({}, {}));
+}
+
+void Session::askUwb()
+{
+    if (d->uwb)
+        d->uwb->link().ask();
 }
 
 void Session::startTurn(int robot, const TurnParameters& parameters)

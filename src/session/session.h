@@ -47,11 +47,11 @@ public slots:
     void closeUwb();
     /// Another port than the plant file's, for this session; an open link is made anew.
     void setUwbPort(const agv::SerialPortChoice& port);
-    /// Asks the unit for its version and configuration even when it is a clone.
-    void askUwb();
     /// Finds where the anchors stand from the ranges between them that were heard last; anchorsSurveyed()
     /// answers at once.
     void surveyAnchors();
+    /// Asks the unit for its version and configuration even when it is a clone.
+    void askUwb();
     void startTurn(int robot, const agv::TurnParameters& parameters);
     void abortTurn(int robot, const QString& reason);
     void retakeStop(int robot, int stop);                 ///< 0-based

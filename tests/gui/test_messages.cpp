@@ -36,8 +36,8 @@ private slots:
     void everyReasonOfALinkHasItsGermanSentence();
     void everySerialFailureHasItsGermanSentence();
     void whyAUwbUnitIsNotKnownHasItsGermanSentence();
-    void whyAUwbTagHasNoPositionHasItsGermanSentence();
     void whatASurveyOfTheAnchorsSaysHasItsGermanSentence();
+    void whyAUwbTagHasNoPositionHasItsGermanSentence();
     void whatAUwbUnitIsHasItsGermanSentence();
     void everyBadParameterHasItsGermanSentence();
     void whereASleeptimeIsKeptHasItsGermanSentence();
@@ -173,24 +173,6 @@ void MessagesTest::whyAUwbUnitIsNotKnownHasItsGermanSentence()
     checkTranslated(mute.reason());
 }
 
-void MessagesTest::whyAUwbTagHasNoPositionHasItsGermanSentence()
-{
-    const std::vector<UwbAnchor> anchors{
-        {0, "A0", 0.0, 0.0, 2.0, true}, {1, "A1", 3.0, 0.0, 2.0, true}, {2, "A2", 6.0, 0.0, 2.0, true}};
-    const auto reasonFor = [&](std::vector<std::int32_t> heard, double later_s) {
-        protocol::RangeSet ranges;
-        for (const std::int32_t anchor : heard)
-            ranges.add({.time_s = 10.0, .range_m = 2.0 + anchor, .anchor = anchor});
-        session::UwbTagTrack track({}, anchors);
-        track.take(ranges, 10.0);
-        return track.snapshot(10.0 + later_s).reason;
-    };
-    checkTranslated(reasonFor({0, 1}, 0.1));
-    checkTranslated(reasonFor({0, 7}, 0.1));
-    checkTranslated(reasonFor({0, 1, 2}, 0.1)); // on one line
-    checkTranslated(reasonFor({0, 1}, 12.0));
-}
-
 void MessagesTest::whatASurveyOfTheAnchorsSaysHasItsGermanSentence()
 {
     const std::vector<UwbAnchor> anchors{{0, "A0", 0.0, 0.0, 2.0, true}, {1, "A1", 4.0, 0.0, 2.0, true},
@@ -226,6 +208,24 @@ void MessagesTest::whatASurveyOfTheAnchorsSaysHasItsGermanSentence()
     high[0].z = 9.0;
     check(triangle, high, 0);
     check(with({pair(1, 3, 3.0), pair(2, 3, 4.0), pair(0, 3, 12.0)}), anchors, 1); // fits no arrangement
+}
+
+void MessagesTest::whyAUwbTagHasNoPositionHasItsGermanSentence()
+{
+    const std::vector<UwbAnchor> anchors{
+        {0, "A0", 0.0, 0.0, 2.0, true}, {1, "A1", 3.0, 0.0, 2.0, true}, {2, "A2", 6.0, 0.0, 2.0, true}};
+    const auto reasonFor = [&](std::vector<std::int32_t> heard, double later_s) {
+        protocol::RangeSet ranges;
+        for (const std::int32_t anchor : heard)
+            ranges.add({.time_s = 10.0, .range_m = 2.0 + anchor, .anchor = anchor});
+        session::UwbTagTrack track({}, anchors);
+        track.take(ranges, 10.0);
+        return track.snapshot(10.0 + later_s).reason;
+    };
+    checkTranslated(reasonFor({0, 1}, 0.1));
+    checkTranslated(reasonFor({0, 7}, 0.1));
+    checkTranslated(reasonFor({0, 1, 2}, 0.1)); // on one line
+    checkTranslated(reasonFor({0, 1}, 12.0));
 }
 
 void MessagesTest::whatAUwbUnitIsHasItsGermanSentence()
