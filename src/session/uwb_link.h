@@ -9,9 +9,11 @@
 #include "core/snapshot.h"
 #include "link/serial_link.h"
 #include "procedure/link_life.h"
+#include "procedure/range_calibration.h"
 #include "procedure/uwb_handshake.h"
 #include "protocol/trek_ranges.h"
 #include "protocol/trek_stream.h"
+#include "session/anchor_statistics.h"
 #include "session/rate_meter.h"
 #include "session/uwb_tag_track.h"
 
@@ -42,6 +44,12 @@ public:
     void close();
     /// Another port than the plant file's; an open link is made anew.
     void setPort(const SerialPortChoice& port);
+    /// Edited anchors, tags, heights and corrections hold at once. The link is made anew only for another
+    /// port than the plant had before: one that setPort() chose stays.
+    void setLayout(std::vector<UwbAnchor> anchors, UwbSettings settings);
+    /// Of the ranges of a tag that stands at a known place; the result is in the snapshot.
+    void startRangeCalibration(int tag, const procedure::CalibrationPlace& place, double duration_s);
+    void cancelRangeCalibration() { m_calibration.cancel(); }
     /// Asks the unit for its version and configuration, clone or not.
     void ask();
 
@@ -68,10 +76,12 @@ private:
     void takeUnit();
     void armTimer();
     Tag& tagOf(int id);
+    UwbTag settingsOf(int id) const;
     LinkSnapshot linkSnapshot(Time now);
 
     std::vector<UwbAnchor> m_anchors;
     UwbSettings m_settings;
+    SerialPortChoice m_port; ///< in use; the plant's until the operator chooses another
     link::SerialLink* m_link;
     QTimer* m_timer;
     procedure::LinkLife m_life;
@@ -82,6 +92,8 @@ private:
     protocol::TrekStream m_stream;
     protocol::TrekRanges m_ranges;
     std::map<int, Tag> m_tags; ///< that were heard
+    AnchorStatistics m_anchorStatistics;
+    procedure::RangeCalibration m_calibration;
     RateMeter m_rate;
     std::optional<Time> m_lastReport;
 };
