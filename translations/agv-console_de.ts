@@ -1581,6 +1581,22 @@ x %3, y %4, Höhe %5</translation>
         <translation>Die Anker wurden inzwischen geändert: die Kalibrierung neu beginnen</translation>
     </message>
     <message>
+        <source>Ranges fit a place %1 mm from the one in the list: measure the anchor again or restore it</source>
+        <translation>Die Abstände passen zu einem Ort %1 mm neben dem in der Liste: den Anker neu einmessen oder zurückstellen</translation>
+    </message>
+    <message>
+        <source>Ranges are %1 mm too long: the anchor may have been moved or be hidden; look at it</source>
+        <translation>Die Abstände sind %1 mm zu lang: Der Anker ist vielleicht verstellt oder verdeckt; nachsehen</translation>
+    </message>
+    <message>
+        <source>Ranges are %1 mm too short: the anchor may have been moved; measure it again or calibrate its ranges</source>
+        <translation>Die Abstände sind %1 mm zu kurz: Der Anker ist vielleicht verstellt; neu einmessen oder seine Abstände kalibrieren</translation>
+    </message>
+    <message>
+        <source>Anchor %1: %2</source>
+        <translation>Anker %1: %2</translation>
+    </message>
+    <message>
         <source>There is no serial port %1: plug the unit in, or choose another port</source>
         <translation>Die serielle Schnittstelle %1 gibt es nicht: die Einheit einstecken oder eine andere Schnittstelle wählen</translation>
     </message>

@@ -1576,6 +1576,22 @@ x %3, y %4, height %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Ranges fit a place %1 mm from the one in the list: measure the anchor again or restore it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ranges are %1 mm too long: the anchor may have been moved or be hidden; look at it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ranges are %1 mm too short: the anchor may have been moved; measure it again or calibrate its ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchor %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There is no serial port %1: plug the unit in, or choose another port</source>
         <translation type="unfinished"></translation>
     </message>

@@ -140,6 +140,14 @@ const char* const patterns[] = {
                       "Anchors without an offset, because they measured the tag fewer than %1 times: %2"),
     QT_TRANSLATE_NOOP("agv::model::Messages",
                       "The anchors were changed meanwhile: start the calibration again"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "Ranges fit a place %1 mm from the one in the list: measure the anchor again or restore it"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "Ranges are %1 mm too long: the anchor may have been moved or be hidden; look at it"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Ranges are %1 mm too short: the anchor may have been moved; "
+                                              "measure it again or calibrate its ranges"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Anchor %1: %2"),
     // link
     QT_TRANSLATE_NOOP("agv::model::Messages",
                       "%1 refuses the connection: the device is on, but nothing listens on that port; check "

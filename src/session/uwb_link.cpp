@@ -89,8 +89,10 @@ void UwbLink::setLayout(std::vector<UwbAnchor> anchors, UwbSettings settings)
     bool isAnyAnew = false;
     for (auto& [id, tag] : m_tags)
         isAnyAnew |= tag.track.setLayout(settingsOf(id), m_anchors, m_settings.corrections);
-    if (isAnyAnew)
+    if (isAnyAnew) {
         m_anchorStatistics.forgetResiduals();
+        m_doubtedAnchors.clear();
+    }
     if (isOtherPort)
         setPort(m_settings.port);
 }
@@ -145,6 +147,14 @@ void UwbLink::takeReport(const protocol::TrekReport& report)
         m_calibration.add(range, report.firstByte);
     }
     m_anchorStatistics.add(tag.track.shown());
+    watchAnchors(tag.track);
+}
+
+void UwbLink::watchAnchors(const UwbTagTrack& track)
+{
+    const std::optional<UwbTagTrack::Doubt> doubt = track.doubt();
+    if (doubt && m_doubtedAnchors.insert(doubt->anchor).second)
+        emit anchorDoubted(doubt->anchor, QString::fromStdString(doubt->text));
 }
 
 /// What the unit says of itself gives the age of its ranges.
@@ -227,6 +237,9 @@ UwbSnapshot UwbLink::snapshot(Time now)
         snapshot.tags.push_back(std::move(entry));
     }
     snapshot.anchors = m_anchorStatistics.snapshot(now);
+    for (const auto& [id, tag] : m_tags)
+        if (const auto doubt = tag.track.doubt())
+            std::ranges::find(snapshot.anchors, doubt->anchor, &UwbAnchorSnapshot::id)->warning = doubt->text;
     m_calibration.onTimer(now);
     snapshot.calibration = m_calibration.snapshot(now);
     return snapshot;

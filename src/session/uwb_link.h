@@ -19,6 +19,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace agv::session {
@@ -59,6 +60,8 @@ signals:
     /// Every byte as it came, for recordings.
     void bytesReceived(const agv::link::Chunk& chunk);
     void stateChanged(agv::LinkState state, const QString& reason);
+    /// Once for each anchor, until the layout changes.
+    void anchorDoubted(int anchor, const QString& warning);
     void unitKnown(const QString& version, const QString& configuration);
 
 private:
@@ -77,6 +80,7 @@ private:
     void armTimer();
     Tag& tagOf(int id);
     UwbTag settingsOf(int id) const;
+    void watchAnchors(const UwbTagTrack& track);
     LinkSnapshot linkSnapshot(Time now);
 
     std::vector<UwbAnchor> m_anchors;
@@ -93,6 +97,7 @@ private:
     protocol::TrekRanges m_ranges;
     std::map<int, Tag> m_tags; ///< that were heard
     AnchorStatistics m_anchorStatistics;
+    std::set<int> m_doubtedAnchors; ///< that were reported
     procedure::RangeCalibration m_calibration;
     RateMeter m_rate;
     std::optional<Time> m_lastReport;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 
+#include "estimation/uwb/anchor_watch.h"
 #include "gui/application_setup.h"
 #include "link/failure_text.h"
 #include "link/serial_failure_text.h"
@@ -40,6 +41,7 @@ private slots:
     void whyAUwbUnitIsNotKnownHasItsGermanSentence();
     void whyAUwbTagHasNoPositionHasItsGermanSentence();
     void whatToKnowOfARangeCalibrationHasItsGermanSentence();
+    void whyAnAnchorIsDoubtedHasItsGermanSentence();
     void whatAUwbUnitIsHasItsGermanSentence();
     void everyBadParameterHasItsGermanSentence();
     void whereASleeptimeIsKeptHasItsGermanSentence();
@@ -220,6 +222,19 @@ void MessagesTest::whatToKnowOfARangeCalibrationHasItsGermanSentence()
     calibration.start(3, {std::nan(""), 0.0, 0.0}, anchors, 30.0, Time{});
     checkTranslated(calibration.snapshot(Time{}).reason);
     checkTranslated("The anchors were changed meanwhile: start the calibration again");
+}
+
+void MessagesTest::whyAnAnchorIsDoubtedHasItsGermanSentence()
+{
+    using estimation::AnchorFault;
+    for (const estimation::AnchorDoubt& doubt : {estimation::AnchorDoubt{AnchorFault::Moved, 2, 0.32},
+                                                 estimation::AnchorDoubt{AnchorFault::Offset, 2, 0.32},
+                                                 estimation::AnchorDoubt{AnchorFault::Offset, 2, -0.32}})
+        checkTranslated(estimation::toText(doubt));
+    QCOMPARE(
+        Messages::sentence("Anchor 2: " + estimation::toText({AnchorFault::Moved, 2, 0.32})),
+        QStringLiteral("Anker 2: Die Abstände passen zu einem Ort 320 mm neben dem in der Liste: den Anker "
+                       "neu einmessen oder zurückstellen"));
 }
 
 void MessagesTest::whatAUwbUnitIsHasItsGermanSentence()

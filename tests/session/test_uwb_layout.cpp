@@ -143,6 +143,42 @@ private slots:
             m_kit->runUntil([&] { return m_last.uwb->calibration.state == RangeCalibrationState::Failed; }));
         QVERIFY(m_last.uwb->calibration.reason.starts_with("The anchors were changed meanwhile"));
     }
+    void anAnchorThatWasMovedIsWarnedOfInItsRowAndOnceInTheLog()
+    {
+        m_plant.width_m = 6.0;
+        m_plant.anchors = simulation::defaultUwbAnchors(m_plant, 4);
+        simulation::UwbKitSettings settings = simulation::idealUwbKitSettings(m_plant.anchors);
+        settings.anchors[2].x += 0.5;
+        m_kit = std::make_unique<KitOnPort>(settings, m_places);
+        start();
+        // The tag is carried from place to place: the kit's time is not the one of the console.
+        int steps = 0;
+        const auto carryOn = [&] {
+            const double turn = 0.4 * (++steps / 100);
+            m_kit->tags[0].x = 3.0 + 2.4 * std::sin(turn);
+            m_kit->tags[0].y = 2.0 + 1.5 * std::sin(1.55 * turn + 1.0);
+        };
+        const auto warning = [&](std::size_t anchor) {
+            return m_last.uwb && m_last.uwb->anchors.size() == 4 ? m_last.uwb->anchors[anchor].warning
+                                                                 : std::string();
+        };
+        QVERIFY(m_kit->runUntil([&] {
+            carryOn();
+            return !warning(2).empty();
+        }));
+        QVERIFY(warning(2).starts_with("Ranges fit a place "));
+        for (const std::size_t other : {0U, 1U, 3U})
+            QVERIFY(warning(other).empty());
+        const int later = steps + 2000;
+        QVERIFY(m_kit->runUntil([&] {
+            carryOn();
+            return steps > later;
+        }));
+        QCOMPARE(m_warnings.size(), std::size_t{1});
+        QVERIFY(m_warnings.front().starts_with("Anchor 2: Ranges fit a place "));
+        m_session->setUwb(settings.anchors, m_plant.uwb);
+        QVERIFY(m_kit->runUntil([&] { return warning(2).empty(); }));
+    }
     void theDialectCanBeChosenWhileTheUnitReports()
     {
         start();
@@ -186,12 +222,15 @@ private:
         options.uwb = m_kit->parameters();
         m_last = {};
         m_snapshots = m_connections = 0;
+        m_warnings.clear();
         m_session = std::make_unique<Session>(m_plant, options);
         connect(m_session.get(), &Session::snapshotReady, this, [&](const PlantSnapshot& snapshot) {
             m_last = snapshot;
             ++m_snapshots;
         });
         connect(m_session.get(), &Session::eventLogged, this, [&](const EventEntry& event) {
+            if (event.source == "UWB" && event.level == EventLevel::Warning)
+                m_warnings.push_back(event.text);
             m_connections += event.source == "UWB" && event.text == "Connected" ? 1 : 0;
         });
         m_session->start();
@@ -213,6 +252,7 @@ private:
     std::unique_ptr<KitOnPort> m_kit;
     std::unique_ptr<Session> m_session;
     PlantSnapshot m_last;
+    std::vector<std::string> m_warnings;
     int m_snapshots = 0;
     int m_connections = 0;
 };
