@@ -1593,6 +1593,58 @@ x %3, y %4, Höhe %5</translation>
         <translation>Die Abstände passen zu keiner Position: die Orte der Anker in der Anlagendatei prüfen</translation>
     </message>
     <message>
+        <source>There is no anchor in the list: enter where the anchors are</source>
+        <translation>Die Liste enthält keinen Anker: eintragen, wo die Anker sind</translation>
+    </message>
+    <message>
+        <source>The place of the tag is not known: enter where it stands</source>
+        <translation>Der Ort des Tags ist nicht bekannt: eintragen, wo es steht</translation>
+    </message>
+    <message>
+        <source>The time of a calibration must lie between %1 and %2 s: choose another</source>
+        <translation>Die Dauer einer Kalibrierung muss zwischen %1 und %2 s liegen: eine andere wählen</translation>
+    </message>
+    <message>
+        <source>No anchor measured tag %1 %2 times: bring it nearer to the anchors or take longer</source>
+        <translation>Kein Anker hat Tag %1 mindestens %2-mal gemessen: näher an die Anker bringen oder länger messen</translation>
+    </message>
+    <message>
+        <source>Tag %1 was not heard: switch it on and look whether the anchors are in reach</source>
+        <translation>Tag %1 wurde nicht gehört: einschalten und prüfen, ob die Anker in Reichweite sind</translation>
+    </message>
+    <message>
+        <source>The ranges of anchor %1 are wrong by %2 mm: check the places of the tag and the anchor before you use the offset</source>
+        <translation>Die Abstände von Anker %1 sind um %2 mm falsch: die Orte von Tag und Anker prüfen, bevor die Korrektur übernommen wird</translation>
+    </message>
+    <message>
+        <source>The ranges of anchor %1 scatter by %2 mm: look for what hides it, keep the tag still and calibrate again</source>
+        <translation>Die Abstände von Anker %1 streuen um %2 mm: nachsehen, was ihn verdeckt, das Tag still halten und neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Anchors without an offset, because they measured the tag fewer than %1 times: %2</source>
+        <translation>Anker ohne Korrektur, weil sie das Tag weniger als %1-mal gemessen haben: %2</translation>
+    </message>
+    <message>
+        <source>The anchors were changed meanwhile: start the calibration again</source>
+        <translation>Die Anker wurden inzwischen geändert: die Kalibrierung neu beginnen</translation>
+    </message>
+    <message>
+        <source>Ranges fit a place %1 mm from the one in the list: measure the anchor again or restore it</source>
+        <translation>Die Abstände passen zu einem Ort %1 mm neben dem in der Liste: den Anker neu einmessen oder zurückstellen</translation>
+    </message>
+    <message>
+        <source>Ranges are %1 mm too long: the anchor may have been moved or be hidden; look at it</source>
+        <translation>Die Abstände sind %1 mm zu lang: Der Anker ist vielleicht verstellt oder verdeckt; nachsehen</translation>
+    </message>
+    <message>
+        <source>Ranges are %1 mm too short: the anchor may have been moved; measure it again or calibrate its ranges</source>
+        <translation>Die Abstände sind %1 mm zu kurz: Der Anker ist vielleicht verstellt; neu einmessen oder seine Abstände kalibrieren</translation>
+    </message>
+    <message>
+        <source>Anchor %1: %2</source>
+        <translation>Anker %1: %2</translation>
+    </message>
+    <message>
         <source>There is no serial port %1: plug the unit in, or choose another port</source>
         <translation>Die serielle Schnittstelle %1 gibt es nicht: die Einheit einstecken oder eine andere Schnittstelle wählen</translation>
     </message>

@@ -1588,6 +1588,58 @@ x %3, y %4, height %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>There is no anchor in the list: enter where the anchors are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The place of the tag is not known: enter where it stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The time of a calibration must lie between %1 and %2 s: choose another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No anchor measured tag %1 %2 times: bring it nearer to the anchors or take longer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag %1 was not heard: switch it on and look whether the anchors are in reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ranges of anchor %1 are wrong by %2 mm: check the places of the tag and the anchor before you use the offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ranges of anchor %1 scatter by %2 mm: look for what hides it, keep the tag still and calibrate again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchors without an offset, because they measured the tag fewer than %1 times: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The anchors were changed meanwhile: start the calibration again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ranges fit a place %1 mm from the one in the list: measure the anchor again or restore it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ranges are %1 mm too long: the anchor may have been moved or be hidden; look at it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ranges are %1 mm too short: the anchor may have been moved; measure it again or calibrate its ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchor %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>There is no serial port %1: plug the unit in, or choose another port</source>
         <translation type="unfinished"></translation>
     </message>

@@ -10,9 +10,11 @@
 #include "core/snapshot.h"
 #include "core/turn.h"
 #include "link/connection_guard.h"
+#include "procedure/range_calibration.h"
 #include "session/uwb_link.h"
 
 #include <memory>
+#include <vector>
 
 namespace agv::session {
 
@@ -41,8 +43,8 @@ public slots:
     void closeReader(int robot);
     /// Another address for a reader than the plant file's; an open link is made anew.
     void setReaderEndpoint(int robot, const QString& host, quint16 port);
-    /// Ignored with a Warning event when the robot or its reader is not up, or a turn is running.
-    // The UWB unit; ignored when the plant has no UWB anchors.
+    // The UWB unit. While the plant has no UWB anchors there is none; one that was opened comes to life with
+    // the first anchors.
     void openUwb();
     void closeUwb();
     /// Another port than the plant file's, for this session; an open link is made anew.
@@ -52,6 +54,14 @@ public slots:
     void surveyAnchors();
     /// Asks the unit for its version and configuration even when it is a clone.
     void askUwb();
+    /// The edited plant's; holds at once and does not touch the port, unless `settings` names another.
+    void setUwb(const std::vector<agv::UwbAnchor>& anchors, const agv::UwbSettings& settings);
+    /// Finds what is to be added to the ranges of a tag that stands at (x, y, z), plant frame, m; the result
+    /// is in UwbSnapshot::calibration. `seconds`: 1 to 600.
+    void startRangeCalibration(int tag, double x, double y, double z,
+                               double seconds = procedure::RangeCalibration::usualDuration_s);
+    void cancelRangeCalibration();
+    /// Ignored with a Warning event when the robot or its reader is not up, or a turn is running.
     void startTurn(int robot, const agv::TurnParameters& parameters);
     void abortTurn(int robot, const QString& reason);
     void retakeStop(int robot, int stop);                 ///< 0-based
