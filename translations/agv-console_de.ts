@@ -1537,12 +1537,112 @@ x %3, y %4, Höhe %5</translation>
         <translation>Anker %1 misst dieses Tag, steht aber nicht in der Anlagendatei: dort eintragen, wo er ist</translation>
     </message>
     <message>
+        <source>Anchor %1 is not in the list: enter its height to have it placed</source>
+        <translation>Anker %1 steht nicht in der Liste: seine Höhe eingeben, damit sein Ort bestimmt wird</translation>
+    </message>
+    <message>
+        <source>Anchor %1 has no ranges to the others and stays where it is</source>
+        <translation>Anker %1 hat keine Abstände zu den anderen und bleibt, wo er ist</translation>
+    </message>
+    <message>
+        <source>Anchor %1 has too few ranges to the others to be placed and stays where it is</source>
+        <translation>Anker %1 hat zu wenige Abstände zu den anderen, um seinen Ort zu bestimmen, und bleibt, wo er ist</translation>
+    </message>
+    <message>
+        <source>More than one arrangement fits the ranges and the one nearest to the list was taken: look whether it is right, the range between anchors %1 and %2 would tell</source>
+        <translation>Mehr als eine Anordnung passt zu den Abständen, gewählt ist die der Liste nächste: prüfen, ob sie stimmt; der Abstand zwischen den Ankern %1 und %2 würde es zeigen</translation>
+    </message>
+    <message>
+        <source>The range between anchors %1 and %2 is %3 mm too long: look for what stands between them</source>
+        <translation>Der Abstand zwischen den Ankern %1 und %2 ist %3 mm zu lang: nachsehen, was zwischen ihnen steht</translation>
+    </message>
+    <message>
+        <source>The range between anchors %1 and %2 is %3 mm too short: look for what stands between them</source>
+        <translation>Der Abstand zwischen den Ankern %1 und %2 ist %3 mm zu kurz: nachsehen, was zwischen ihnen steht</translation>
+    </message>
+    <message>
+        <source>The range between anchors %1 and %2 (%3 mm) is shorter than the difference of their heights (%4 mm): correct the heights in the list</source>
+        <translation>Der Abstand zwischen den Ankern %1 und %2 (%3 mm) ist kürzer als der Unterschied ihrer Höhen (%4 mm): die Höhen in der Liste berichtigen</translation>
+    </message>
+    <message>
+        <source>There is no anchor in the list: enter the anchors with their heights first</source>
+        <translation>Es steht kein Anker in der Liste: zuerst die Anker mit ihren Höhen eingeben</translation>
+    </message>
+    <message>
+        <source>No ranges between the anchors were heard: switch the anchors on and connect the unit that is anchor 0</source>
+        <translation>Es wurden keine Abstände zwischen den Ankern empfangen: die Anker einschalten und die Einheit anschließen, die Anker 0 ist</translation>
+    </message>
+    <message>
+        <source>Too few pairs of anchors range with each other: three anchors that all see each other are needed</source>
+        <translation>Zu wenige Ankerpaare messen miteinander: Es braucht drei Anker, die einander alle sehen</translation>
+    </message>
+    <message>
+        <source>The anchors stand nearly on one line: their ranges do not tell how far beside it; move one of them aside</source>
+        <translation>Die Anker stehen fast auf einer Linie: Ihre Abstände sagen nicht, wie weit daneben; einen davon zur Seite stellen</translation>
+    </message>
+    <message>
+        <source>The ranges between the anchors fit no arrangement: look for what hides the anchors from each other</source>
+        <translation>Die Abstände zwischen den Ankern passen zu keiner Anordnung: nachsehen, was die Anker voreinander verdeckt</translation>
+    </message>
+    <message>
         <source>Only %1 of the 3 ranges that a position needs: look for what hides the anchors</source>
         <translation>Nur %1 der 3 Abstände, die eine Position braucht: nachsehen, was die Anker verdeckt</translation>
     </message>
     <message>
         <source>The ranges fit no position: check the anchors&apos; places in the plant file</source>
         <translation>Die Abstände passen zu keiner Position: die Orte der Anker in der Anlagendatei prüfen</translation>
+    </message>
+    <message>
+        <source>There is no anchor in the list: enter where the anchors are</source>
+        <translation>Die Liste enthält keinen Anker: eintragen, wo die Anker sind</translation>
+    </message>
+    <message>
+        <source>The place of the tag is not known: enter where it stands</source>
+        <translation>Der Ort des Tags ist nicht bekannt: eintragen, wo es steht</translation>
+    </message>
+    <message>
+        <source>The time of a calibration must lie between %1 and %2 s: choose another</source>
+        <translation>Die Dauer einer Kalibrierung muss zwischen %1 und %2 s liegen: eine andere wählen</translation>
+    </message>
+    <message>
+        <source>No anchor measured tag %1 %2 times: bring it nearer to the anchors or take longer</source>
+        <translation>Kein Anker hat Tag %1 mindestens %2-mal gemessen: näher an die Anker bringen oder länger messen</translation>
+    </message>
+    <message>
+        <source>Tag %1 was not heard: switch it on and look whether the anchors are in reach</source>
+        <translation>Tag %1 wurde nicht gehört: einschalten und prüfen, ob die Anker in Reichweite sind</translation>
+    </message>
+    <message>
+        <source>The ranges of anchor %1 are wrong by %2 mm: check the places of the tag and the anchor before you use the offset</source>
+        <translation>Die Abstände von Anker %1 sind um %2 mm falsch: die Orte von Tag und Anker prüfen, bevor die Korrektur übernommen wird</translation>
+    </message>
+    <message>
+        <source>The ranges of anchor %1 scatter by %2 mm: look for what hides it, keep the tag still and calibrate again</source>
+        <translation>Die Abstände von Anker %1 streuen um %2 mm: nachsehen, was ihn verdeckt, das Tag still halten und neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Anchors without an offset, because they measured the tag fewer than %1 times: %2</source>
+        <translation>Anker ohne Korrektur, weil sie das Tag weniger als %1-mal gemessen haben: %2</translation>
+    </message>
+    <message>
+        <source>The anchors were changed meanwhile: start the calibration again</source>
+        <translation>Die Anker wurden inzwischen geändert: die Kalibrierung neu beginnen</translation>
+    </message>
+    <message>
+        <source>Ranges fit a place %1 mm from the one in the list: measure the anchor again or restore it</source>
+        <translation>Die Abstände passen zu einem Ort %1 mm neben dem in der Liste: den Anker neu einmessen oder zurückstellen</translation>
+    </message>
+    <message>
+        <source>Ranges are %1 mm too long: the anchor may have been moved or be hidden; look at it</source>
+        <translation>Die Abstände sind %1 mm zu lang: Der Anker ist vielleicht verstellt oder verdeckt; nachsehen</translation>
+    </message>
+    <message>
+        <source>Ranges are %1 mm too short: the anchor may have been moved; measure it again or calibrate its ranges</source>
+        <translation>Die Abstände sind %1 mm zu kurz: Der Anker ist vielleicht verstellt; neu einmessen oder seine Abstände kalibrieren</translation>
+    </message>
+    <message>
+        <source>Anchor %1: %2</source>
+        <translation>Anker %1: %2</translation>
     </message>
     <message>
         <source>There is no serial port %1: plug the unit in, or choose another port</source>

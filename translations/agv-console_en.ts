@@ -1532,11 +1532,111 @@ x %3, y %4, height %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
+        <source>Anchor %1 is not in the list: enter its height to have it placed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchor %1 has no ranges to the others and stays where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchor %1 has too few ranges to the others to be placed and stays where it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>More than one arrangement fits the ranges and the one nearest to the list was taken: look whether it is right, the range between anchors %1 and %2 would tell</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The range between anchors %1 and %2 is %3 mm too long: look for what stands between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The range between anchors %1 and %2 is %3 mm too short: look for what stands between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The range between anchors %1 and %2 (%3 mm) is shorter than the difference of their heights (%4 mm): correct the heights in the list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no anchor in the list: enter the anchors with their heights first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No ranges between the anchors were heard: switch the anchors on and connect the unit that is anchor 0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too few pairs of anchors range with each other: three anchors that all see each other are needed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The anchors stand nearly on one line: their ranges do not tell how far beside it; move one of them aside</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ranges between the anchors fit no arrangement: look for what hides the anchors from each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Only %1 of the 3 ranges that a position needs: look for what hides the anchors</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The ranges fit no position: check the anchors&apos; places in the plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no anchor in the list: enter where the anchors are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The place of the tag is not known: enter where it stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The time of a calibration must lie between %1 and %2 s: choose another</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No anchor measured tag %1 %2 times: bring it nearer to the anchors or take longer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag %1 was not heard: switch it on and look whether the anchors are in reach</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ranges of anchor %1 are wrong by %2 mm: check the places of the tag and the anchor before you use the offset</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The ranges of anchor %1 scatter by %2 mm: look for what hides it, keep the tag still and calibrate again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchors without an offset, because they measured the tag fewer than %1 times: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The anchors were changed meanwhile: start the calibration again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ranges fit a place %1 mm from the one in the list: measure the anchor again or restore it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ranges are %1 mm too long: the anchor may have been moved or be hidden; look at it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ranges are %1 mm too short: the anchor may have been moved; measure it again or calibrate its ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchor %1: %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -98,6 +98,11 @@ Json toJson(const UwbTag& tag)
             {"z_mm", mm(tag.z_m)}, {"along_mm", mm(tag.mount.x)}, {"across_mm", mm(tag.mount.y)}};
 }
 
+Json toJson(const RangeCorrection& correction)
+{
+    return {{"anchor", correction.anchor}, {"tag", correction.tag}, {"offset_mm", mm(correction.offset_m)}};
+}
+
 Json toJson(const UwbSettings& uwb)
 {
     return {{"port", uwb.port.path},
@@ -105,7 +110,9 @@ Json toJson(const UwbSettings& uwb)
             {"serial_number", uwb.port.serialNumber},
             {"dialect", uwb.dialect ? std::string(toText(*uwb.dialect)) : std::string(detectedDialect)},
             {"tag_height_mm", mm(uwb.tagHeight_m)},
-            {"tags", list(uwb.tags, [](const UwbTag& tag) { return toJson(tag); })}};
+            {"tags", list(uwb.tags, [](const UwbTag& tag) { return toJson(tag); })},
+            {"corrections",
+             list(uwb.corrections, [](const RangeCorrection& correction) { return toJson(correction); })}};
 }
 
 /// The grid that makes exactly the first tags, found from the tags alone.
@@ -180,6 +187,11 @@ std::string numberIdentity(const Json& element)
     return element.contains("id") ? std::to_string(element["id"].get<long long>()) : "";
 }
 
+std::string correctionIdentity(const Json& element)
+{
+    return std::to_string(element["anchor"].get<int>()) + " " + std::to_string(element["tag"].get<int>());
+}
+
 std::string nameIdentity(const Json& element)
 {
     const auto name = element.find("name");
@@ -251,6 +263,7 @@ void mergeLists(const Json& original, Json& fresh, std::size_t gridTags, const P
     merge("/anchors", numberIdentity, defaultAnchor);
     merge("/uwb/tags", numberIdentity,
           [&](const Json& tag, std::size_t) { return defaultUwbTag(tag, layout.uwb.tagHeight_m); });
+    merge("/uwb/corrections", correctionIdentity, none);
 }
 
 /// The parts of "floor_tags" that the fresh tree no longer has; they are not unknown keys.

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/uwb_section_reader.h"
 
+#include <algorithm>
+
 namespace agv {
 namespace {
 
 constexpr NumberRange mountRange{-2000, 2000};
 constexpr int mostTags = 255;
+constexpr int mostAnchors = 255;
+/// Antenna delays and clocks err by less than a metre; ten are a slip of the pen.
+constexpr NumberRange offsetRange{-10'000, 10'000};
 
 /// "trek", "trek-1.06", ... with the word for none chosen.
 std::string dialectWords()
@@ -32,6 +37,7 @@ void UwbSectionReader::read(JsonFields& root, PlantLayout& plant)
     uwb.dialect = readDialect(fields);
     uwb.tagHeight_m = fields.thousandths("tag_height_mm", coordinateRange, uwb.tagHeight_m);
     readEach(fields, "tags", m_findings, [&](JsonFields& item) { readTag(item, plant); });
+    readEach(fields, "corrections", m_findings, [&](JsonFields& item) { readCorrection(item, plant); });
     fields.finish();
 }
 
@@ -77,6 +83,28 @@ void UwbSectionReader::readTag(JsonFields& fields, PlantLayout& plant)
     if (!isNew)
         fields.error("id", "tag number " + std::to_string(tag.id) + " is already used by " + first->second);
     plant.uwb.tags.push_back(std::move(tag));
+}
+
+void UwbSectionReader::readCorrection(JsonFields& fields, PlantLayout& plant)
+{
+    const std::size_t before = m_findings.errors.size();
+    RangeCorrection correction;
+    correction.anchor = fields.integer("anchor", 0, mostAnchors, std::nullopt);
+    correction.tag = fields.integer("tag", 0, mostTags, std::nullopt);
+    correction.offset_m = fields.thousandths("offset_mm", offsetRange, std::nullopt);
+    if (m_findings.errors.size() != before)
+        return;
+    const std::string anchor = std::to_string(correction.anchor);
+    if (std::ranges::find(plant.anchors, correction.anchor, &UwbAnchor::id) == plant.anchors.end())
+        fields.error("anchor",
+                     "there is no anchor number " + anchor +
+                         " in \"anchors\"; enter an anchor of the list, or leave the correction out");
+    const auto [first, isNew] =
+        m_usedCorrections.emplace(std::pair(correction.anchor, correction.tag), fields.pointer());
+    if (!isNew)
+        fields.error("anchor", "anchor " + anchor + " and tag " + std::to_string(correction.tag) +
+                                   " are already corrected by " + first->second);
+    plant.uwb.corrections.push_back(correction);
 }
 
 } // namespace agv

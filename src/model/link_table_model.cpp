@@ -23,6 +23,9 @@ std::vector<LinkTableModel::Row> LinkTableModel::rowsOf(const PlantSnapshot& sna
         rows.push_back({0, Kind::Uwb, snapshot.uwb->link, snapshot.uwb});
         rows.back().uwb->link = {};
         rows.back().uwb->tags.clear();
+        rows.back().uwb->anchors.clear();
+        rows.back().uwb->anchorPairs.clear();
+        rows.back().uwb->calibration = {};
     }
     return rows;
 }

@@ -121,9 +121,62 @@ const char* const patterns[] = {
     QT_TRANSLATE_NOOP("agv::model::Messages",
                       "Anchor %1 measures this tag, but is not in the plant file: enter where it is"),
     QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "Anchor %1 is not in the list: enter its height to have it placed"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Anchor %1 has no ranges to the others and stays where it is"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "Anchor %1 has too few ranges to the others to be placed and stays where it is"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "More than one arrangement fits the ranges and the one nearest to the list was taken: "
+                      "look whether it is right, the range between anchors %1 and %2 would tell"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "The range between anchors %1 and %2 is %3 mm too long: look for what stands between them"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "The range between anchors %1 and %2 is %3 mm too short: look for what stands between them"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "The range between anchors %1 and %2 (%3 mm) is shorter than the difference of their "
+                      "heights (%4 mm): correct the heights in the list"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "There is no anchor in the list: enter the anchors with their heights first"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "No ranges between the anchors were heard: switch the anchors "
+                                              "on and connect the unit that is anchor 0"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "Too few pairs of anchors range with each other: three anchors that all see each other are needed"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The anchors stand nearly on one line: their ranges do not "
+                                              "tell how far beside it; move one of them aside"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "The ranges between the anchors fit no arrangement: look for what hides the anchors from each other"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
                       "Only %1 of the 3 ranges that a position needs: look for what hides the anchors"),
     QT_TRANSLATE_NOOP("agv::model::Messages",
                       "The ranges fit no position: check the anchors' places in the plant file"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "There is no anchor in the list: enter where the anchors are"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The place of the tag is not known: enter where it stands"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "The time of a calibration must lie between %1 and %2 s: choose another"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "No anchor measured tag %1 %2 times: bring it nearer to the anchors or take longer"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "Tag %1 was not heard: switch it on and look whether the anchors are in reach"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The ranges of anchor %1 are wrong by %2 mm: check the places "
+                                              "of the tag and the anchor before you use the offset"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "The ranges of anchor %1 scatter by %2 mm: look for what hides "
+                                              "it, keep the tag still and calibrate again"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "Anchors without an offset, because they measured the tag fewer than %1 times: %2"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "The anchors were changed meanwhile: start the calibration again"),
+    QT_TRANSLATE_NOOP(
+        "agv::model::Messages",
+        "Ranges fit a place %1 mm from the one in the list: measure the anchor again or restore it"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "Ranges are %1 mm too long: the anchor may have been moved or be hidden; look at it"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Ranges are %1 mm too short: the anchor may have been moved; "
+                                              "measure it again or calibrate its ranges"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Anchor %1: %2"),
     // link
     QT_TRANSLATE_NOOP("agv::model::Messages",
                       "%1 refuses the connection: the device is on, but nothing listens on that port; check "

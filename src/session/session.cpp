@@ -2,6 +2,7 @@
 #include "session/session.h"
 
 #include "estimation/turn_solver.h"
+#include "estimation/uwb/anchor_survey.h"
 #include "link/robot_server.h"
 #include "link/stranger_watch.h"
 #include "link/telemetry_socket.h"
@@ -62,6 +63,7 @@ public:
     QTimer* listenTimer;
     link::StrangerWatch telemetryStrangers;
     UwbLine* uwb = nullptr;        ///< null without anchors; owned (QObject child of the session)
+    bool isUwbWanted = false;      ///< open, or to be opened with the first anchors
     std::map<int, AgvLine*> lines; ///< owned (QObject children of the session)
     std::vector<std::string> refusedPeers;
     std::string listening = "Not listening yet";
@@ -282,12 +284,14 @@ void Session::setReaderEndpoint(int robot, const QString& host, quint16 port)
 
 void Session::openUwb()
 {
+    d->isUwbWanted = true;
     if (d->uwb)
         d->uwb->link().open();
 }
 
 void Session::closeUwb()
 {
+    d->isUwbWanted = false;
     if (d->uwb)
         d->uwb->link().close();
 }
@@ -298,10 +302,46 @@ void Session::setUwbPort(const SerialPortChoice& port)
         d->uwb->link().setPort(port);
 }
 
+void Session::surveyAnchors()
+{
+    emit anchorsSurveyed(d->uwb ? d->uwb->link().surveyAnchors(monotonicNow())
+                                : estimation::surveyAnchors({}, {}));
+}
+
 void Session::askUwb()
 {
     if (d->uwb)
         d->uwb->link().ask();
+}
+
+void Session::setUwb(const std::vector<UwbAnchor>& anchors, const UwbSettings& settings)
+{
+    d->plant.anchors = anchors;
+    d->plant.uwb = settings;
+    d->changed = true;
+    if (anchors.empty()) {
+        delete std::exchange(d->uwb, nullptr);
+    } else if (d->uwb) {
+        d->uwb->link().setLayout(anchors, settings);
+    } else {
+        d->addUwb();
+        if (d->isUwbWanted)
+            d->uwb->link().open();
+    }
+}
+
+void Session::startRangeCalibration(int tag, double x, double y, double z, double seconds)
+{
+    if (d->uwb)
+        d->uwb->link().startRangeCalibration(tag, {x, y, z}, seconds);
+    d->changed = true;
+}
+
+void Session::cancelRangeCalibration()
+{
+    if (d->uwb)
+        d->uwb->link().cancelRangeCalibration();
+    d->changed = true;
 }
 
 void Session::startTurn(int robot, const TurnParameters& parameters)

@@ -5,13 +5,16 @@
 #include <QObject>
 #include <QString>
 
+#include "core/anchor_survey.h"
 #include "core/plant_layout.h"
 #include "core/snapshot.h"
 #include "core/turn.h"
 #include "link/connection_guard.h"
+#include "procedure/range_calibration.h"
 #include "session/uwb_link.h"
 
 #include <memory>
+#include <vector>
 
 namespace agv::session {
 
@@ -40,14 +43,25 @@ public slots:
     void closeReader(int robot);
     /// Another address for a reader than the plant file's; an open link is made anew.
     void setReaderEndpoint(int robot, const QString& host, quint16 port);
-    /// Ignored with a Warning event when the robot or its reader is not up, or a turn is running.
-    // The UWB unit; ignored when the plant has no UWB anchors.
+    // The UWB unit. While the plant has no UWB anchors there is none; one that was opened comes to life with
+    // the first anchors.
     void openUwb();
     void closeUwb();
     /// Another port than the plant file's, for this session; an open link is made anew.
     void setUwbPort(const agv::SerialPortChoice& port);
+    /// Finds where the anchors stand from the ranges between them that were heard last; anchorsSurveyed()
+    /// answers at once.
+    void surveyAnchors();
     /// Asks the unit for its version and configuration even when it is a clone.
     void askUwb();
+    /// The edited plant's; holds at once and does not touch the port, unless `settings` names another.
+    void setUwb(const std::vector<agv::UwbAnchor>& anchors, const agv::UwbSettings& settings);
+    /// Finds what is to be added to the ranges of a tag that stands at (x, y, z), plant frame, m; the result
+    /// is in UwbSnapshot::calibration. `seconds`: 1 to 600.
+    void startRangeCalibration(int tag, double x, double y, double z,
+                               double seconds = procedure::RangeCalibration::usualDuration_s);
+    void cancelRangeCalibration();
+    /// Ignored with a Warning event when the robot or its reader is not up, or a turn is running.
     void startTurn(int robot, const agv::TurnParameters& parameters);
     void abortTurn(int robot, const QString& reason);
     void retakeStop(int robot, int stop);                 ///< 0-based
@@ -69,6 +83,8 @@ signals:
     void turnEnded(int robot, const agv::TurnSnapshot& turn, std::shared_ptr<const agv::TurnRecord> record);
     /// startTurn() did not start one; the Warning event says the same.
     void turnRefused(int robot, const QString& reason);
+    /// Once for each surveyAnchors(); AnchorSurvey::trouble says why there are no places.
+    void anchorsSurveyed(const agv::AnchorSurvey& survey);
     /// Every byte of a reader with the monotonic time of its arrival; for recordings.
     void readerBytes(int robot, const QByteArray& bytes, agv::Time time);
     /// Every byte of the UWB unit with the monotonic time of its arrival; for recordings.

@@ -16,6 +16,9 @@ UwbLine::UwbLine(const PlantLayout& plant, const UwbLinkParameters& parameters, 
         emit changed();
     });
     connect(m_link, &UwbLink::stateChanged, this, &UwbLine::logState);
+    connect(m_link, &UwbLink::anchorDoubted, this, [this](int anchor, const QString& warning) {
+        log(EventLevel::Warning, "Anchor " + std::to_string(anchor) + ": " + warning.toStdString());
+    });
     connect(m_link, &UwbLink::unitKnown, this, [this](const QString& version, const QString& configuration) {
         log(EventLevel::Info, "The unit is " + version.toStdString() + ": " + configuration.toStdString());
     });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/uwb_link.h"
 
+#include "estimation/uwb/anchor_survey.h"
 #include "session/wall_clock.h"
 
 #include <algorithm>
@@ -11,6 +12,13 @@ namespace agv::session {
 namespace {
 
 double steadySeconds(Time time) { return secondsFrom(time.time_since_epoch()); }
+
+bool areSamePlaces(const std::vector<UwbAnchor>& one, const std::vector<UwbAnchor>& other)
+{
+    return std::ranges::equal(one, other, [](const UwbAnchor& a, const UwbAnchor& b) {
+        return a.id == b.id && a.x == b.x && a.y == b.y && a.z == b.z;
+    });
+}
 
 std::string configurationText(const UwbConfiguration& unit)
 {
@@ -35,10 +43,12 @@ UwbLink::UwbLink(const PlantLayout& plant, UwbLinkParameters parameters, QObject
     : QObject(parent),
       m_anchors(plant.anchors),
       m_settings(plant.uwb),
+      m_port(plant.uwb.port),
       m_link(new link::SerialLink(std::move(parameters.ports), this)),
       m_timer(new QTimer(this)),
       m_life(parameters.life),
-      m_handshake(parameters.handshake)
+      m_handshake(parameters.handshake),
+      m_anchorStatistics(plant.anchors)
 {
     m_stream.dialect().setOverride(m_settings.dialect);
     m_timer->setSingleShot(true);
@@ -63,9 +73,34 @@ void UwbLink::setPort(const SerialPortChoice& port)
 {
     const bool wasOpen = m_life.state() != LinkState::Down;
     close();
-    m_settings.port = port;
+    m_port = port;
     if (wasOpen)
         open();
+}
+
+void UwbLink::setLayout(std::vector<UwbAnchor> anchors, UwbSettings settings)
+{
+    const bool isOtherPort = settings.port != m_settings.port;
+    if (!areSamePlaces(anchors, m_anchors))
+        m_calibration.abort("The anchors were changed meanwhile: start the calibration again");
+    m_anchors = std::move(anchors);
+    m_settings = std::move(settings);
+    m_stream.dialect().setOverride(m_settings.dialect);
+    m_anchorStatistics.setAnchors(m_anchors);
+    bool isAnyAnew = false;
+    for (auto& [id, tag] : m_tags)
+        isAnyAnew |= tag.track.setLayout(settingsOf(id), m_anchors, m_settings.corrections);
+    if (isAnyAnew) {
+        m_anchorStatistics.forgetResiduals();
+        m_doubtedAnchors.clear();
+    }
+    if (isOtherPort)
+        setPort(m_settings.port);
+}
+
+void UwbLink::startRangeCalibration(int tag, const procedure::CalibrationPlace& place, double duration_s)
+{
+    m_calibration.start(tag, place, m_anchors, duration_s, monotonicNow());
 }
 
 void UwbLink::ask()
@@ -80,6 +115,7 @@ void UwbLink::onConnected()
     m_stream.reset();
     m_ranges.reset();
     m_ranges.setReportPeriod({}); // it may be another unit
+    m_anchorPairs.clear();
     m_unitReported = false;
     carryOut(m_life.connected(now));
     carryOut(m_handshake.opened(m_link->port()->usb == trekUsbId, now));
@@ -103,11 +139,25 @@ void UwbLink::takeReport(const protocol::TrekReport& report)
     const bool isOfATag =
         report.kind != protocol::TrekLineKind::Raw && report.kind != protocol::TrekLineKind::Anchors;
     const protocol::RangeSet ranges = m_ranges.read(report);
+    m_anchorPairs.add(ranges);
     if (!isOfATag)
         return;
     Tag& tag = tagOf(report.tag);
     tag.rate.add(report.firstByte);
     tag.track.take(ranges, steadySeconds(report.firstByte));
+    for (const RangeMeasurement& range : ranges) {
+        m_anchorStatistics.heard(range.anchor, report.firstByte, Time(durationFromSeconds(range.time_s)));
+        m_calibration.add(range, report.firstByte);
+    }
+    m_anchorStatistics.add(tag.track.shown());
+    watchAnchors(tag.track);
+}
+
+void UwbLink::watchAnchors(const UwbTagTrack& track)
+{
+    const std::optional<UwbTagTrack::Doubt> doubt = track.doubt();
+    if (doubt && m_doubtedAnchors.insert(doubt->anchor).second)
+        emit anchorDoubted(doubt->anchor, QString::fromStdString(doubt->text));
 }
 
 /// What the unit says of itself gives the age of its ranges.
@@ -125,12 +175,17 @@ UwbLink::Tag& UwbLink::tagOf(int id)
 {
     if (const auto known = m_tags.find(id); known != m_tags.end())
         return known->second;
+    return m_tags.emplace(id, Tag(UwbTagTrack(settingsOf(id), m_anchors, m_settings.corrections)))
+        .first->second;
+}
+
+/// As the plant lists the tag, or what holds for those that it does not.
+UwbTag UwbLink::settingsOf(int id) const
+{
     const auto listed = std::ranges::find(m_settings.tags, id, &UwbTag::id);
-    const UwbTag tag =
-        listed != m_settings.tags.end()
-            ? *listed
-            : UwbTag{.id = id, .label = {}, .agv = {}, .z_m = m_settings.tagHeight_m, .mount = {}};
-    return m_tags.emplace(id, Tag(UwbTagTrack(tag, m_anchors))).first->second;
+    if (listed != m_settings.tags.end())
+        return *listed;
+    return {.id = id, .label = {}, .agv = {}, .z_m = m_settings.tagHeight_m, .mount = {}};
 }
 
 void UwbLink::carryOut(procedure::UwbHandshakeAction action)
@@ -145,7 +200,7 @@ void UwbLink::carryOut(procedure::LinkAction action)
     if (action == procedure::LinkAction::Close || action == procedure::LinkAction::Open)
         m_handshake.closed();
     if (action == procedure::LinkAction::Open)
-        m_link->open(m_settings.port);
+        m_link->open(m_port);
     else if (action == procedure::LinkAction::Close)
         m_link->close();
     armTimer();
@@ -175,6 +230,7 @@ UwbSnapshot UwbLink::snapshot(Time now)
     snapshot.dialectIsChosen = m_settings.dialect.has_value();
     snapshot.unit = m_handshake.unit();
     snapshot.unitNote = m_handshake.reason();
+    snapshot.anchorPairs = m_anchorPairs.snapshot(steadySeconds(now));
     for (auto& [id, tag] : m_tags) {
         UwbTagSnapshot entry = tag.track.snapshot(steadySeconds(now));
         const protocol::TagTraffic& traffic = m_ranges.traffic(id);
@@ -184,15 +240,26 @@ UwbSnapshot UwbLink::snapshot(Time now)
         snapshot.missed += traffic.missed;
         snapshot.tags.push_back(std::move(entry));
     }
+    snapshot.anchors = m_anchorStatistics.snapshot(now);
+    for (const auto& [id, tag] : m_tags)
+        if (const auto doubt = tag.track.doubt())
+            std::ranges::find(snapshot.anchors, doubt->anchor, &UwbAnchorSnapshot::id)->warning = doubt->text;
+    m_calibration.onTimer(now);
+    snapshot.calibration = m_calibration.snapshot(now);
     return snapshot;
+}
+
+AnchorSurvey UwbLink::surveyAnchors(Time now) const
+{
+    return estimation::surveyAnchors(m_anchorPairs.snapshot(steadySeconds(now)), m_anchors);
 }
 
 LinkSnapshot UwbLink::linkSnapshot(Time now)
 {
     LinkSnapshot link;
     link.name = "UWB";
-    link.address = m_life.isConnected() && m_link->port() ? link::toText(*m_link->port()).toStdString()
-                                                          : toText(m_settings.port);
+    link.address =
+        m_life.isConnected() && m_link->port() ? link::toText(*m_link->port()).toStdString() : toText(m_port);
     link.state = m_life.state();
     link.reason = m_life.reason();
     link.messagesPerSecond = m_rate.perSecond(now);

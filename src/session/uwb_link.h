@@ -5,18 +5,23 @@
 #include <QString>
 #include <QTimer>
 
+#include "core/anchor_survey.h"
 #include "core/plant_layout.h"
 #include "core/snapshot.h"
 #include "link/serial_link.h"
 #include "procedure/link_life.h"
+#include "procedure/range_calibration.h"
 #include "procedure/uwb_handshake.h"
 #include "protocol/trek_ranges.h"
 #include "protocol/trek_stream.h"
+#include "session/anchor_pairs.h"
+#include "session/anchor_statistics.h"
 #include "session/rate_meter.h"
 #include "session/uwb_tag_track.h"
 
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 namespace agv::session {
@@ -42,15 +47,25 @@ public:
     void close();
     /// Another port than the plant file's; an open link is made anew.
     void setPort(const SerialPortChoice& port);
+    /// Edited anchors, tags, heights and corrections hold at once. The link is made anew only for another
+    /// port than the plant had before: one that setPort() chose stays.
+    void setLayout(std::vector<UwbAnchor> anchors, UwbSettings settings);
+    /// Of the ranges of a tag that stands at a known place; the result is in the snapshot.
+    void startRangeCalibration(int tag, const procedure::CalibrationPlace& place, double duration_s);
+    void cancelRangeCalibration() { m_calibration.cancel(); }
     /// Asks the unit for its version and configuration, clone or not.
     void ask();
 
     UwbSnapshot snapshot(Time now);
+    /// Where the anchors of the plant stand by the last ranges between them.
+    AnchorSurvey surveyAnchors(Time now) const;
 
 signals:
     /// Every byte as it came, for recordings.
     void bytesReceived(const agv::link::Chunk& chunk);
     void stateChanged(agv::LinkState state, const QString& reason);
+    /// Once for each anchor, until the layout changes.
+    void anchorDoubted(int anchor, const QString& warning);
     void unitKnown(const QString& version, const QString& configuration);
 
 private:
@@ -68,10 +83,13 @@ private:
     void takeUnit();
     void armTimer();
     Tag& tagOf(int id);
+    UwbTag settingsOf(int id) const;
+    void watchAnchors(const UwbTagTrack& track);
     LinkSnapshot linkSnapshot(Time now);
 
     std::vector<UwbAnchor> m_anchors;
     UwbSettings m_settings;
+    SerialPortChoice m_port; ///< in use; the plant's until the operator chooses another
     link::SerialLink* m_link;
     QTimer* m_timer;
     procedure::LinkLife m_life;
@@ -81,7 +99,11 @@ private:
     bool m_unitReported = false;
     protocol::TrekStream m_stream;
     protocol::TrekRanges m_ranges;
+    AnchorPairs m_anchorPairs;
     std::map<int, Tag> m_tags; ///< that were heard
+    AnchorStatistics m_anchorStatistics;
+    std::set<int> m_doubtedAnchors; ///< that were reported
+    procedure::RangeCalibration m_calibration;
     RateMeter m_rate;
     std::optional<Time> m_lastReport;
 };

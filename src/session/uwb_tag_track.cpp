@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace agv::session {
 namespace {
@@ -15,11 +16,63 @@ std::string wholeSeconds(double seconds) { return std::to_string(std::lround(sec
 
 } // namespace
 
-UwbTagTrack::UwbTagTrack(const UwbTag& tag, const std::vector<UwbAnchor>& anchors)
+UwbTagTrack::UwbTagTrack(const UwbTag& tag, const std::vector<UwbAnchor>& anchors,
+                         const std::vector<RangeCorrection>& corrections)
     : m_tag(tag),
-      m_anchors(anchors),
-      m_filter({.height_m = tag.z_m, .obstruction = {}})
+      m_anchors(anchorsFor(tag.id, anchors, corrections)),
+      m_filter({.height_m = tag.z_m, .obstruction = {}}),
+      m_watch(watchFor(tag, m_anchors))
 {}
+
+estimation::AnchorWatch UwbTagTrack::watchFor(const UwbTag& tag, const std::vector<Anchor>& anchors)
+{
+    std::vector<Eigen::Vector3d> places;
+    for (const Anchor& anchor : anchors)
+        places.emplace_back(anchor.x, anchor.y, anchor.z);
+    return {std::move(places), tag.z_m};
+}
+
+std::vector<UwbTagTrack::Anchor> UwbTagTrack::anchorsFor(int tag, const std::vector<UwbAnchor>& anchors,
+                                                         const std::vector<RangeCorrection>& corrections)
+{
+    std::vector<Anchor> used;
+    for (const UwbAnchor& anchor : anchors) {
+        if (used.size() == estimation::kMaxAnchors)
+            break;
+        const auto correction = std::ranges::find_if(corrections, [&](const RangeCorrection& candidate) {
+            return candidate.anchor == anchor.id && candidate.tag == tag;
+        });
+        const double offset_m = correction != corrections.end() ? correction->offset_m : 0.0;
+        used.push_back({.id = anchor.id, .x = anchor.x, .y = anchor.y, .z = anchor.z, .offset_m = offset_m});
+    }
+    return used;
+}
+
+bool UwbTagTrack::setLayout(const UwbTag& tag, const std::vector<UwbAnchor>& anchors,
+                            const std::vector<RangeCorrection>& corrections)
+{
+    std::vector<Anchor> used = anchorsFor(tag.id, anchors, corrections);
+    const bool isChanged = tag.z_m != m_tag.z_m || used != m_anchors;
+    m_tag = tag;
+    if (!isChanged)
+        return false;
+    m_anchors = std::move(used);
+    m_filter = estimation::RangeEkf({.height_m = tag.z_m, .obstruction = {}});
+    m_watch = watchFor(m_tag, m_anchors);
+    stop();
+    m_ranges.clear();
+    m_shown.clear();
+    m_unknownAnchor = -1;
+    return true;
+}
+
+/// The next ranges start the position anew.
+void UwbTagTrack::stop()
+{
+    m_filter.stop();
+    m_spread.clear();
+    m_contradictions = 0;
+}
 
 void UwbTagTrack::take(const protocol::RangeSet& ranges, double arrival_s)
 {
@@ -49,13 +102,13 @@ void UwbTagTrack::gather(const protocol::RangeSet& ranges)
     m_sequence = ranges[0].sequence;
     m_unknownAnchor = -1;
     for (const RangeMeasurement& range : ranges) {
-        const auto anchor = std::ranges::find(m_anchors, range.anchor, &UwbAnchor::id);
+        const auto anchor = std::ranges::find(m_anchors, range.anchor, &Anchor::id);
         const auto index = anchor - m_anchors.begin();
-        if (anchor == m_anchors.end() || index >= estimation::kMaxAnchors)
+        if (anchor == m_anchors.end())
             m_unknownAnchor = range.anchor;
         else
             m_ranges.add({.anchor = Eigen::Vector3d(anchor->x, anchor->y, anchor->z),
-                          .range_m = range.range_m,
+                          .range_m = range.range_m + anchor->offset_m,
                           .index = static_cast<int>(index)});
     }
 }
@@ -65,7 +118,7 @@ void UwbTagTrack::follow(double time_s)
     const double elapsed_s = time_s - m_measured_s;
     m_measured_s = time_s;
     if (m_filter.started() && elapsed_s > startAnewAfter_s)
-        m_filter.stop();
+        stop();
     const estimation::AnchorRanges ranges{m_ranges.data(), m_ranges.size()};
     const bool hadPosition = m_filter.started();
     if (hadPosition) {
@@ -79,13 +132,13 @@ void UwbTagTrack::follow(double time_s)
         if (hadPosition) // else it is the position that these ranges gave
             m_shown[i].residual_m = records[i].innovation;
     }
+    m_spread.add({m_filter.state().x(), m_filter.state().y()});
+    m_watch.add(ranges, m_filter.state().head<2>(), time_s);
     const auto rejected = std::ranges::count(m_shown, true, &UwbRangeSnapshot::rejected);
     const bool isContradicted = 2 * rejected > std::ssize(m_shown);
     m_contradictions = isContradicted ? m_contradictions + 1 : 0;
-    if (m_contradictions <= contradictionsAllowed)
-        return;
-    m_contradictions = 0;
-    m_filter.stop();
+    if (m_contradictions > contradictionsAllowed)
+        stop();
 }
 
 UwbTagSnapshot UwbTagTrack::snapshot(double now_s) const
@@ -106,7 +159,16 @@ UwbTagSnapshot UwbTagTrack::snapshot(double now_s) const
     tag.position = Point2{ahead.state().x(), ahead.state().y()};
     const auto& covariance = ahead.covariance();
     tag.covariance = {covariance(0, 0), covariance(0, 1), covariance(1, 1)};
+    tag.r95_m = m_spread.r95_m();
     return tag;
+}
+
+std::optional<UwbTagTrack::Doubt> UwbTagTrack::doubt() const
+{
+    const std::optional<estimation::AnchorDoubt>& doubt = m_watch.doubt();
+    if (!doubt)
+        return std::nullopt;
+    return Doubt{m_anchors[static_cast<std::size_t>(doubt->anchor)].id, estimation::toText(*doubt)};
 }
 
 std::string UwbTagTrack::whyNoPosition(double age_s) const

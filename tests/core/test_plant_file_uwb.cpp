@@ -44,6 +44,37 @@ TEST(PlantFileUwb, NamesThePortTheDialectAndTheTags)
                                              {4, "T4", std::nullopt, 1.5, {}}}));
 }
 
+TEST(PlantFileUwb, HoldsWhatIsAddedToTheRangesOfEachPair)
+{
+    const UwbSettings uwb = settingsOf(R"({"corrections": [{"anchor": 0, "tag": 3, "offset_mm": -120},
+        {"anchor": 0, "tag": 200, "offset_mm": 35.5}]})");
+    EXPECT_EQ(uwb.corrections, (std::vector<RangeCorrection>{{0, 3, -0.12}, {0, 200, 0.0355}}));
+}
+
+TEST(PlantFileUwb, SaysWhichCorrectionIsWrong)
+{
+    EXPECT_NE(errorOf(R"({"corrections": [{"anchor": 7, "tag": 3, "offset_mm": 1}]})")
+                  .find("/uwb/corrections/0/anchor: there is no anchor number 7 in \"anchors\""),
+              std::string::npos);
+    EXPECT_NE(errorOf(R"({"corrections": [{"anchor": 0, "tag": 3, "offset_mm": 1},
+                                          {"anchor": 0, "tag": 4, "offset_mm": 1},
+                                          {"anchor": 0, "tag": 3, "offset_mm": 2}]})")
+                  .find("/uwb/corrections/2/anchor: anchor 0 and tag 3 are already corrected by "
+                        "/uwb/corrections/0"),
+              std::string::npos);
+    EXPECT_NE(errorOf(R"({"corrections": [{"anchor": 0, "tag": 256, "offset_mm": 1}]})")
+                  .find("/uwb/corrections/0/tag: must be"),
+              std::string::npos);
+    EXPECT_NE(errorOf(R"({"corrections": [{"anchor": 0, "tag": 3, "offset_mm": 10001}]})")
+                  .find("/uwb/corrections/0/offset_mm: must be"),
+              std::string::npos);
+    for (const char* incomplete : {R"({"tag": 3, "offset_mm": 1})", R"({"anchor": 0, "offset_mm": 1})",
+                                   R"({"anchor": 0, "tag": 3})", "4"})
+        EXPECT_NE(errorOf(R"({"corrections": [)" + std::string(incomplete) + "]}").find("/uwb/corrections/0"),
+                  std::string::npos)
+            << incomplete;
+}
+
 TEST(PlantFileUwb, SaysWhatIsWrongAndWhere)
 {
     EXPECT_NE(errorOf(R"({"usb_id": "0483"})").find("/uwb/usb_id: must be vendor and product in hexadecimal"),
@@ -77,6 +108,21 @@ TEST(PlantFileUwb, IsWrittenBackWithItsUnknownKeysAndWithoutItsDefaults)
     EXPECT_NE(written.find(R"({"id": 2})"), std::string::npos) << written;
     EXPECT_NE(written.find(R"("serial_number": "77")"), std::string::npos) << written;
     EXPECT_EQ(written.find("dialect"), std::string::npos) << written;
+}
+
+TEST(PlantFileUwb, KeepsTheUnknownKeysOfACorrectionThatIsChanged)
+{
+    const std::string text = plantWith(R"({"corrections": [{"anchor": 0, "tag": 3, "offset_mm": 10},
+        {"anchor": 0, "tag": 4, "offset_mm": 20, "measured_by": "B"}]})");
+    const auto original = PlantDocument::fromText(text, "p.json").value();
+    PlantLayout plant = original.layout();
+    plant.uwb.corrections = {{0, 4, 0.025}, {0, 9, -0.001}};
+    const std::string written = plantText(plant, &original).value();
+    EXPECT_EQ(readPlantText(written, "p.json"), plant);
+    EXPECT_NE(written.find(R"({"anchor": 0, "tag": 4, "offset_mm": 25, "measured_by": "B"})"),
+              std::string::npos)
+        << written;
+    EXPECT_EQ(readPlantText(plantText(plant, nullptr).value(), "p.json"), plant);
 }
 
 } // namespace

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 
+#include "estimation/uwb/anchor_survey.h"
+#include "estimation/uwb/anchor_watch.h"
 #include "gui/application_setup.h"
 #include "link/failure_text.h"
 #include "link/serial_failure_text.h"
 #include "model/messages.h"
 #include "procedure/link_life.h"
+#include "procedure/range_calibration.h"
 #include "procedure/turn_parameters.h"
 #include "procedure/uwb_handshake.h"
 #include "session/uwb_link.h"
@@ -14,7 +17,9 @@
 #include <QApplication>
 #include <QMetaEnum>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 
 using namespace agv;
 using model::Messages;
@@ -35,7 +40,10 @@ private slots:
     void everyReasonOfALinkHasItsGermanSentence();
     void everySerialFailureHasItsGermanSentence();
     void whyAUwbUnitIsNotKnownHasItsGermanSentence();
+    void whatASurveyOfTheAnchorsSaysHasItsGermanSentence();
     void whyAUwbTagHasNoPositionHasItsGermanSentence();
+    void whatToKnowOfARangeCalibrationHasItsGermanSentence();
+    void whyAnAnchorIsDoubtedHasItsGermanSentence();
     void whatAUwbUnitIsHasItsGermanSentence();
     void everyBadParameterHasItsGermanSentence();
     void whereASleeptimeIsKeptHasItsGermanSentence();
@@ -171,6 +179,43 @@ void MessagesTest::whyAUwbUnitIsNotKnownHasItsGermanSentence()
     checkTranslated(mute.reason());
 }
 
+void MessagesTest::whatASurveyOfTheAnchorsSaysHasItsGermanSentence()
+{
+    const std::vector<UwbAnchor> anchors{{0, "A0", 0.0, 0.0, 2.0, true}, {1, "A1", 4.0, 0.0, 2.0, true},
+                                         {2, "A2", 0.0, 3.0, 2.0, true}, {3, "A3", 4.0, 3.0, 2.0, true},
+                                         {4, "A4", 2.0, 5.0, 2.0, true}, {5, "A5", 3.0, 5.0, 2.0, true}};
+    const auto pair = [](int first, int second, double range_m) {
+        return AnchorPairSnapshot{
+            .first = first, .second = second, .range_m = range_m, .sd_m = 0.03, .count = 100};
+    };
+    const std::vector<AnchorPairSnapshot> triangle{pair(0, 1, 4.0), pair(0, 2, 3.0), pair(1, 2, 5.0)};
+    const auto check = [&](std::vector<AnchorPairSnapshot> pairs, const std::vector<UwbAnchor>& listed,
+                           std::size_t notes) {
+        const AnchorSurvey survey = estimation::surveyAnchors(pairs, listed);
+        QCOMPARE(survey.notes.size(), notes);
+        QCOMPARE(survey.anchors.empty(), !survey.trouble.empty());
+        if (!survey.trouble.empty())
+            checkTranslated(survey.trouble);
+        for (const std::string& note : survey.notes)
+            checkTranslated(note);
+    };
+    const auto with = [&](const std::vector<AnchorPairSnapshot>& more) {
+        std::vector<AnchorPairSnapshot> pairs = triangle;
+        pairs.insert(pairs.end(), more.begin(), more.end());
+        return pairs;
+    };
+    check({}, {}, 0);
+    check({}, anchors, 0);
+    check({pair(0, 1, 4.0)}, anchors, 1);                                   // too few, others silent
+    check({pair(0, 1, 4.0), pair(0, 2, 8.0), pair(1, 2, 4.0)}, anchors, 1); // on one line
+    check(with({pair(1, 3, 3.0), pair(2, 3, 4.0), pair(0, 4, 5.4), pair(0, 9, 1.0)}), anchors, 4);
+    check(with({pair(1, 3, 3.0), pair(2, 3, 4.0), pair(0, 3, 6.5)}), anchors, 7); // long, the others short
+    std::vector<UwbAnchor> high = anchors;
+    high[0].z = 9.0;
+    check(triangle, high, 0);
+    check(with({pair(1, 3, 3.0), pair(2, 3, 4.0), pair(0, 3, 12.0)}), anchors, 1); // fits no arrangement
+}
+
 void MessagesTest::whyAUwbTagHasNoPositionHasItsGermanSentence()
 {
     const std::vector<UwbAnchor> anchors{
@@ -187,6 +232,48 @@ void MessagesTest::whyAUwbTagHasNoPositionHasItsGermanSentence()
     checkTranslated(reasonFor({0, 7}, 0.1));
     checkTranslated(reasonFor({0, 1, 2}, 0.1)); // on one line
     checkTranslated(reasonFor({0, 1}, 12.0));
+}
+
+void MessagesTest::whatToKnowOfARangeCalibrationHasItsGermanSentence()
+{
+    const std::vector<UwbAnchor> anchors{{1, "A1", 0.0, 0.0, 2.0, true}, {2, "A2", 3.0, 0.0, 2.0, true}};
+    const auto reasonFor = [&](double seconds, const std::vector<double>& ranges_m) {
+        procedure::RangeCalibration calibration;
+        calibration.start(3, {2.0, 0.0, 2.0}, anchors, seconds, Time{});
+        for (const double range_m : ranges_m)
+            calibration.add({.range_m = range_m, .tag = 3, .anchor = 1}, Time{});
+        calibration.onTimer(Time{} + std::chrono::minutes(20));
+        return calibration.snapshot(Time{}).reason;
+    };
+    const std::vector<double> exact(20, 2.0);
+    const std::vector<double> wrong(20, 3.5);
+    std::vector<double> scattered(20, 2.0);
+    std::fill(scattered.begin(), scattered.begin() + 8, 2.6);
+    checkTranslated(reasonFor(0.1, exact));
+    checkTranslated(reasonFor(30.0, {}));
+    checkTranslated(reasonFor(30.0, {2.0, 2.0}));
+    checkTranslated(reasonFor(30.0, exact)); // anchor 2 was not heard
+    checkTranslated(reasonFor(30.0, wrong));
+    checkTranslated(reasonFor(30.0, scattered));
+    procedure::RangeCalibration calibration;
+    calibration.start(3, {}, {}, 30.0, Time{});
+    checkTranslated(calibration.snapshot(Time{}).reason);
+    calibration.start(3, {std::nan(""), 0.0, 0.0}, anchors, 30.0, Time{});
+    checkTranslated(calibration.snapshot(Time{}).reason);
+    checkTranslated("The anchors were changed meanwhile: start the calibration again");
+}
+
+void MessagesTest::whyAnAnchorIsDoubtedHasItsGermanSentence()
+{
+    using estimation::AnchorFault;
+    for (const estimation::AnchorDoubt& doubt : {estimation::AnchorDoubt{AnchorFault::Moved, 2, 0.32},
+                                                 estimation::AnchorDoubt{AnchorFault::Offset, 2, 0.32},
+                                                 estimation::AnchorDoubt{AnchorFault::Offset, 2, -0.32}})
+        checkTranslated(estimation::toText(doubt));
+    QCOMPARE(
+        Messages::sentence("Anchor 2: " + estimation::toText({AnchorFault::Moved, 2, 0.32})),
+        QStringLiteral("Anker 2: Die Abstände passen zu einem Ort 320 mm neben dem in der Liste: den Anker "
+                       "neu einmessen oder zurückstellen"));
 }
 
 void MessagesTest::whatAUwbUnitIsHasItsGermanSentence()

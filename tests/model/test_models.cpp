@@ -137,7 +137,7 @@ void ModelTest::theUwbUnitIsTheLastRowWithItsDialectAndGaps()
     model.setSnapshot(snapshot);
     QCOMPARE(model.rowCount(), 5);
     QCOMPARE(cell(model, 4, LinkTableModel::Connection), QStringLiteral("UWB (trek)"));
-    QCOMPARE(cell(model, 4, LinkTableModel::Data), QStringLiteral("20.0 /s"));
+    QCOMPARE(cell(model, 4, LinkTableModel::Data), QStringLiteral("20.0\u00a0/s"));
     QCOMPARE(cell(model, 4, LinkTableModel::Dropped), QStringLiteral("3"));
     QCOMPARE(model.index(4, 0).data(LinkTableModel::RobotRole).toInt(), 0);
     const QString toolTip = model.index(4, 0).data(Qt::ToolTipRole).toString();
@@ -155,6 +155,9 @@ void ModelTest::aChangedDialectChangesTheRowOfTheUwbUnit()
     QCOMPARE(cell(model, 0, LinkTableModel::Connection), QStringLiteral("UWB"));
     QSignalSpy changes(&model, &QAbstractItemModel::dataChanged);
     snapshot.uwb->tags.push_back({});
+    snapshot.uwb->anchors.push_back({});
+    snapshot.uwb->anchorPairs.push_back({});
+    snapshot.uwb->calibration.progress = 0.5;
     model.setSnapshot(snapshot);
     QCOMPARE(changes.count(), 0);
     snapshot.uwb->dialect = UwbDialect::UlmFour;
