@@ -693,6 +693,10 @@
         <source>Present and proposed places of the anchors</source>
         <translation>Jetzige und vorgeschlagene Orte der Anker</translation>
     </message>
+    <message>
+        <source>stays</source>
+        <translation>bleibt</translation>
+    </message>
 </context>
 <context>
     <name>agv::gui::CalibrationPanel</name>
@@ -1419,6 +1423,10 @@ x %3, y %4, Höhe %5</translation>
         <source>110 kb/s</source>
         <translation>110 kb/s</translation>
     </message>
+    <message>
+        <source>This computer has no serial port now. Plug the unit in, then list again.</source>
+        <translation>Dieser Rechner hat gerade keinen seriellen Port. Stecken Sie die Einheit ein und listen Sie neu auf.</translation>
+    </message>
 </context>
 <context>
     <name>agv::gui::ShiftLog</name>
@@ -1563,10 +1571,6 @@ x %3, y %4, Höhe %5</translation>
         <translation>Keine UWB-Tags: Keines ist eingetragen. Öffnen Sie die UWB-Einheit im Feld Verbindungen und schalten Sie ein Tag ein; es kommt von selbst. Oder fügen Sie hier eines hinzu.</translation>
     </message>
     <message>
-        <source>In use, but not saved: the edits are lost when the console ends. Save to plant file keeps them.</source>
-        <translation>In Gebrauch, aber nicht gespeichert: Die Änderungen gehen mit dem Ende der Konsole verloren. In Anlagendatei speichern erhält sie.</translation>
-    </message>
-    <message>
         <source>Import anchors and tags</source>
         <translation>Anker und Tags importieren</translation>
     </message>
@@ -1609,6 +1613,10 @@ x %3, y %4, Höhe %5</translation>
     <message>
         <source>Go &amp;back</source>
         <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>In use, but not saved: lost when the console ends.</source>
+        <translation>Gilt schon, ist aber nicht gespeichert: geht mit dem Ende der Konsole verloren.</translation>
     </message>
 </context>
 <context>

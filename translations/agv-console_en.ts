@@ -693,6 +693,10 @@
         <source>Present and proposed places of the anchors</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>stays</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>agv::gui::CalibrationPanel</name>
@@ -1414,6 +1418,10 @@ x %3, y %4, height %5</source>
         <source>110 kb/s</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>This computer has no serial port now. Plug the unit in, then list again.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>agv::gui::ShiftLog</name>
@@ -1558,10 +1566,6 @@ x %3, y %4, height %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>In use, but not saved: the edits are lost when the console ends. Save to plant file keeps them.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Import anchors and tags</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1603,6 +1607,10 @@ x %3, y %4, height %5</source>
     </message>
     <message>
         <source>Go &amp;back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In use, but not saved: lost when the console ends.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -95,6 +95,8 @@ void AnchorSurveyView::paintProposed(QPainter& painter, const Viewport& view, co
                                      const UwbAnchor& then) const
 {
     const QPointF from = view.toPixels(Point2{now.x, now.y});
+    if (then == now) // not surveyed
+        return paintName(painter, from, now, tr("stays"));
     const QPointF to = view.toPixels(Point2{then.x, then.y});
     const double moved_m = distance({now.x, now.y}, {then.x, then.y});
     if (moved_m >= leastMove_m) {

@@ -36,6 +36,7 @@ LinksPanel::LinksPanel(QWidget* parent) : QWidget(parent), m_ui(std::make_unique
     vehicles->horizontalHeader()->setSectionResizeMode(VehicleTableModel::State, QHeaderView::Stretch);
     m_ui->refusedLabel->hide();
     m_ui->readingLabel->hide();
+    m_ui->portButton->hide();
 
     connect(m_ui->openButton, &QPushButton::clicked, this, [this] {
         if (isUwbChosen())

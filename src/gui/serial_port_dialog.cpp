@@ -57,6 +57,7 @@ SerialPortDialog::SerialPortDialog(const SerialPortChoice& port, std::optional<U
       m_table(new HintTableView),
       m_path(new QLineEdit(QString::fromStdString(port.path))),
       m_dialect(new ChoiceBox),
+      m_none(new QLabel(tr("This computer has no serial port now. Plug the unit in, then list again."))),
       m_unit(new QLabel),
       m_ask(new QPushButton(tr("&Ask the unit"))),
       m_use(new QPushButton(tr("&Use this port")))
@@ -88,6 +89,7 @@ SerialPortDialog::SerialPortDialog(const SerialPortChoice& port, std::optional<U
     auto* layout = new QVBoxLayout(this);
     layout->setSpacing(10);
     layout->addWidget(m_table, 1);
+    layout->addWidget(m_none);
     layout->addLayout(form);
     layout->addLayout(unit);
     layout->addLayout(buttons);
@@ -115,6 +117,9 @@ void SerialPortDialog::buildFields()
         m_dialect->addItem(dialectName(static_cast<UwbDialect>(i)), static_cast<int>(i));
     m_dialect->setObjectName(QStringLiteral("dialectCombo"));
     m_dialect->setToolTip(tr("How the unit writes its reports; choose one only when it is found wrongly"));
+    m_none->setObjectName(QStringLiteral("noPortsLabel"));
+    m_none->setWordWrap(true);
+    m_none->hide();
     m_unit->setObjectName(QStringLiteral("unitLabel"));
     m_unit->setWordWrap(true);
     m_ask->setObjectName(QStringLiteral("askUnitButton"));
@@ -139,6 +144,7 @@ void SerialPortDialog::showPorts(std::vector<SerialPortInfo> ports)
 {
     std::ranges::stable_partition(ports, isTrek);
     m_ports = std::move(ports);
+    m_none->setVisible(m_ports.empty());
     fillPorts();
 }
 

@@ -55,6 +55,7 @@ private:
     HintTableView* m_table;
     QLineEdit* m_path;
     QComboBox* m_dialect;
+    QLabel* m_none; ///< shown when the computer has no serial port
     QLabel* m_unit;
     QPushButton* m_ask;
     QPushButton* m_use;

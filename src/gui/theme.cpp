@@ -139,6 +139,7 @@ QMenu::separator { height: 1px; background: @border; margin: 4px 8px; }
 QToolBar { background: @panel; border: none; border-bottom: 1px solid @border; padding: 5px 8px; spacing: 4px; }
 QToolBar#uwbBar { border: none; padding: 2px 0px; spacing: 2px; }
 QToolBar#uwbBar QToolButton { padding: 3px 8px; }
+QToolBar#uwbBar QToolBarExtension { padding: 0px; border: 1px solid @border; border-radius: 4px; }
 QToolBar::separator { width: 1px; background: @border; margin: 4px 6px; }
 QToolButton { border: 1px solid transparent; border-radius: 6px; padding: 5px 8px; background: transparent; }
 QToolButton:hover { background: @sunken; border-color: @border; }

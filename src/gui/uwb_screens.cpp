@@ -196,9 +196,7 @@ void UwbScreens::showState()
     updateActions();
     if (!m_editor.hasUnsavedEdits())
         return setPanelNotes({}, false);
-    setPanelNotes(
-        tr("In use, but not saved: the edits are lost when the console ends. Save to plant file keeps them."),
-        false);
+    setPanelNotes(tr("In use, but not saved: lost when the console ends."), false);
 }
 
 void UwbScreens::removeChosenAnchors()

@@ -10,6 +10,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -31,7 +32,7 @@ UwbTablePanel::UwbTablePanel(QWidget* parent)
                              QAbstractItemView::AnyKeyPressed);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     const int rowHeight = m_table->verticalHeader()->defaultSectionSize();
-    m_table->setMinimumHeight(2 * rowHeight + 4); // the heading and a row, for small screens
+    m_table->setMinimumHeight(rowHeight + 10); // on a small screen a note takes the place of a row
     m_note->setWordWrap(true);
     m_note->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_note->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -48,7 +49,15 @@ UwbTablePanel::UwbTablePanel(QWidget* parent)
     layout->addWidget(m_noteRow);
 }
 
-void UwbTablePanel::setActions(const QList<QAction*>& actions) { m_bar->addActions(actions); }
+void UwbTablePanel::setActions(const QList<QAction*>& actions)
+{
+    m_bar->addActions(actions);
+    // Qt's own sign for actions that found no room is drawn for light windows.
+    if (auto* more = m_bar->findChild<QToolButton*>(QStringLiteral("qt_toolbar_ext_button"))) {
+        more->setToolButtonStyle(Qt::ToolButtonTextOnly);
+        more->setText(QChar(0x00BB));
+    }
+}
 
 void UwbTablePanel::useDelegate(int warningRole, int choicesRole)
 {

@@ -42,6 +42,8 @@ private slots:
     void filesAreChosenInADialog();
     void thePanelsAreInTheViewMenuAndTheSavedLayout();
     void everyEditIsAlsoInTheMenu();
+    void theWindowFitsASmallScreenInGermanWithThePanelsInSight();
+    void theLanguageChangesWhileThePanelsAreOpen();
 
 private:
     QString note(const char* dock) const
@@ -338,6 +340,32 @@ void UwbPanelTest::everyEditIsAlsoInTheMenu()
     }
     QCOMPARE(find<QAction>("undoUwbAction")->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_Z));
     QCOMPARE(find<QAction>("redoUwbAction")->shortcut(), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
+}
+
+void UwbPanelTest::theWindowFitsASmallScreenInGermanWithThePanelsInSight()
+{
+    setUpApplication(*qApp, QLocale(QStringLiteral("de_DE")));
+    openRunning();
+    for (const char* dock : {"anchorsDock", "tagsDock"}) {
+        raise(dock);
+        trigger("addAnchorAction"); // with the note about unsaved edits
+        m_window->resize(960, 540);
+        QCoreApplication::processEvents();
+        QVERIFY2(m_window->width() <= 960 && m_window->height() <= 540,
+                 qPrintable(QStringLiteral("%1 x %2").arg(m_window->width()).arg(m_window->height())));
+    }
+}
+
+void UwbPanelTest::theLanguageChangesWhileThePanelsAreOpen()
+{
+    openRunning();
+    trigger("addAnchorAction");
+    setUpApplication(*qApp, QLocale(QStringLiteral("de_DE")));
+    QTRY_VERIFY(note("anchorsDock").contains(QStringLiteral("nicht gespeichert")));
+    QCOMPARE(find<QAction>("addAnchorAction")->iconText(), QStringLiteral("Anker hinzufügen"));
+    QVERIFY(find<QAction>("undoUwbAction")->toolTip().startsWith(QStringLiteral("Rückgängig: ")));
+    QCOMPARE(cell("uwbTagTable", 0, Tags::State), QStringLiteral("Position"));
+    QVERIFY(m_window->windowTitle().endsWith(QStringLiteral("AGV-Leitstand")));
 }
 
 QTEST_MAIN(UwbPanelTest)
