@@ -50,6 +50,7 @@ void UwbScreens::buildPanels()
         connect(table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
                 &UwbScreens::updateActions);
         connect(table->model(), &QAbstractItemModel::modelReset, this, &UwbScreens::updateActions);
+        connect(table->model(), &QAbstractItemModel::rowsRemoved, this, &UwbScreens::updateActions);
     }
 }
 
@@ -73,11 +74,13 @@ void UwbScreens::connectActions()
 {
     connect(m_ui.addAnchorAction, &QAction::triggered, this, [this] {
         if (!m_editor.addAnchor())
-            m_ui.anchors->setNote(tr("All 256 anchor numbers are in use."), true);
+            return m_ui.anchors->setNote(tr("All 256 anchor numbers are in use."), true);
+        m_ui.anchors->table()->selectRow(m_anchors.rowCount() - 1);
     });
     connect(m_ui.addTagAction, &QAction::triggered, this, [this] {
         if (!m_editor.addTag())
-            m_ui.uwbTags->setNote(tr("All 256 tag numbers are in use."), true);
+            return m_ui.uwbTags->setNote(tr("All 256 tag numbers are in use."), true);
+        m_ui.uwbTags->table()->selectRow(static_cast<int>(m_editor.settings().tags.size()) - 1);
     });
     connect(m_ui.removeAnchorAction, &QAction::triggered, this, &UwbScreens::removeChosenAnchors);
     connect(m_ui.removeTagAction, &QAction::triggered, this, &UwbScreens::removeChosenTags);

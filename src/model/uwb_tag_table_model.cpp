@@ -20,8 +20,6 @@ bool isText(int column)
            column == UwbTagTableModel::State;
 }
 
-bool isEditable(int column) { return column <= UwbTagTableModel::Height; }
-
 } // namespace
 
 QString uwbTagName(const UwbTag& tag)
@@ -82,7 +80,7 @@ std::vector<UwbTagTableModel::Row> UwbTagTableModel::rowsNow() const
 void UwbTagTableModel::update()
 {
     std::vector<Row> rows = rowsNow();
-    if (rows.size() != m_rows.size()) {
+    if (!takeOverIds(rows)) {
         beginResetModel();
         m_rows = std::move(rows);
         endResetModel();
@@ -95,6 +93,31 @@ void UwbTagTableModel::update()
         const int row = static_cast<int>(i);
         emit dataChanged(index(row, 0), index(row, columnCount() - 1));
     }
+}
+
+/// A tag that comes or goes must not take selection and a half-typed text from the others, so rows are
+/// inserted and removed one by one. False when the order is another one.
+bool UwbTagTableModel::takeOverIds(const std::vector<Row>& rows)
+{
+    const auto idOf = [](const Row& row) { return row.tag.id; };
+    for (int row = rowCount() - 1; row >= 0; --row) {
+        const auto place = m_rows.begin() + row;
+        if (std::ranges::find(rows, place->tag.id, idOf) != rows.end())
+            continue;
+        beginRemoveRows({}, row, row);
+        m_rows.erase(place);
+        endRemoveRows();
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i < m_rows.size() && m_rows[i].tag.id == rows[i].tag.id)
+            continue;
+        if (std::ranges::find(m_rows, rows[i].tag.id, idOf) != m_rows.end())
+            return false;
+        beginInsertRows({}, static_cast<int>(i), static_cast<int>(i));
+        m_rows.insert(m_rows.begin() + static_cast<std::ptrdiff_t>(i), rows[i]);
+        endInsertRows();
+    }
+    return true;
 }
 
 int UwbTagTableModel::rowCount(const QModelIndex& parent) const
@@ -245,99 +268,6 @@ QVariant UwbTagTableModel::data(const QModelIndex& index, int role) const
     default:
         return {};
     }
-}
-
-Result<std::optional<RobotId>> UwbTagTableModel::agvFrom(const QString& input, const QString& name) const
-{
-    const QString wanted = input.trimmed();
-    if (wanted.isEmpty() || wanted == CellInput::none() || wanted == QLatin1String("0"))
-        return std::optional<RobotId>();
-    for (const AgvConfig& agv : m_agvs) {
-        if (wanted == QString::number(agv.id.number) ||
-            wanted.compare(agvName(agv.id.number), Qt::CaseInsensitive) == 0)
-            return std::optional(agv.id);
-    }
-    return failure(ErrorCode::BadInput, tr("There is no AGV \"%1\": choose one of the plant for %2, or none.")
-                                            .arg(wanted, name)
-                                            .toStdString());
-}
-
-Result<UwbTag> UwbTagTableModel::changed(int row, int column, const QString& input) const
-{
-    UwbTag tag = m_rows[static_cast<std::size_t>(row)].tag;
-    const QString name = uwbTagName(tag);
-    if (column == Label) {
-        tag.label = input.trimmed().toStdString();
-        return tag;
-    }
-    if (column == Agv) {
-        const auto agv = agvFrom(input, name);
-        if (!agv)
-            return std::unexpected(agv.error());
-        tag.agv = *agv;
-        return tag;
-    }
-    if (column == Height) {
-        const auto mm = CellInput::number(input, tr("the height of %1 in mm").arg(name), -mostCoordinate_mm,
-                                          mostCoordinate_mm);
-        if (!mm)
-            return std::unexpected(mm.error());
-        tag.z_m = metresFromMm(*mm);
-        return tag;
-    }
-    const auto id = CellInput::wholeNumber(input, tr("the number of %1").arg(name), 0, mostUwbNumber);
-    if (!id)
-        return std::unexpected(id.error());
-    const auto other = std::ranges::find(m_settings.tags, *id, &UwbTag::id);
-    if (other != m_settings.tags.end() && other - m_settings.tags.begin() != row) {
-        return failure(ErrorCode::BadInput, tr("There is a UWB tag %1 already (%2): choose another number.")
-                                                .arg(*id)
-                                                .arg(uwbTagName(*other))
-                                                .toStdString());
-    }
-    tag.id = *id;
-    return tag;
-}
-
-bool UwbTagTableModel::setData(const QModelIndex& index, const QVariant& value, int role)
-{
-    if (role != Qt::EditRole || !checkIndex(index, CheckIndexOption::IndexIsValid) ||
-        !flags(index).testFlag(Qt::ItemIsEditable))
-        return false;
-    const Row& row = m_rows[static_cast<std::size_t>(index.row())];
-    const QString input = value.toString();
-    if (input == index.data(Qt::EditRole).toString())
-        return true;
-    Result<UwbTag> edited = changed(index.row(), index.column(), input);
-    if (!edited) {
-        emit refused(QString::fromStdString(edited.error().detail));
-        return false;
-    }
-    if (*edited == row.tag)
-        return true;
-    std::vector<UwbTag> tags = m_settings.tags;
-    const QString name = uwbTagName(row.tag);
-    if (row.listed) {
-        tags[static_cast<std::size_t>(index.row())] = *edited;
-        emit editRequested(tr("Edit %1").arg(name), tags);
-    } else {
-        if (edited->label.empty())
-            edited->label = "T" + std::to_string(edited->id); // as the plant file would
-        tags.push_back(*edited);
-        emit editRequested(tr("List %1").arg(name), tags);
-    }
-    return true;
-}
-
-Qt::ItemFlags UwbTagTableModel::flags(const QModelIndex& index) const
-{
-    Qt::ItemFlags flags = QAbstractTableModel::flags(index);
-    if (!index.isValid() || !isEditable(index.column()))
-        return flags;
-    const bool listed = m_rows[static_cast<std::size_t>(index.row())].listed;
-    if (listed || index.column() != Id) // the number of a tag that is heard is what it says
-        flags |= Qt::ItemIsEditable;
-    return flags;
 }
 
 QVariant UwbTagTableModel::headerData(int section, Qt::Orientation orientation, int role) const

@@ -58,6 +58,7 @@ private:
     };
     std::vector<Row> rowsNow() const;
     void update();
+    bool takeOverIds(const std::vector<Row>& rows);
     const UwbRangeSnapshot* range(const Row& row, int column) const;
     QString text(const Row& row, int column) const;
     QString rangeText(const Row& row, int column) const;

@@ -21,6 +21,7 @@ private slots:
     void anEditOfATagThatIsOnlyHeardListsIt();
     void theAgvOfATagIsChosenByNameOrNumberOrTakenAway();
     void badInputForATagIsRefusedWithASentence();
+    void aTagThatIsHeardForTheFirstTimeLeavesTheOtherRowsInPlace();
     void tagsChangeUnderTheModelTester();
     void repeatabilitySaysThatItIsNotAccuracy();
 };
@@ -128,6 +129,34 @@ void UwbTagTableTest::badInputForATagIsRefusedWithASentence()
     QCOMPARE(refusals.count(), 4);
     QVERIFY(refusals[0][0].toString().contains(QStringLiteral("There is no AGV \"AGV 9\"")));
     QVERIFY(refusals[2][0].toString().contains(QStringLiteral("There is a UWB tag 4 already")));
+}
+
+void UwbTagTableTest::aTagThatIsHeardForTheFirstTimeLeavesTheOtherRowsInPlace()
+{
+    UwbTagTableModel model;
+    const Tester tester(&model, Tester::FailureReportingMode::QtTest);
+    model.setSettings(threeAnchors(), oneTag());
+    UwbSnapshot uwb = heard();
+    model.setSnapshot(&uwb);
+    QSignalSpy resets(&model, &QAbstractItemModel::modelReset);
+    const QPersistentModelIndex edited = model.index(1, Tags::Label); // tag 5
+    UwbTagSnapshot other;
+    other.id = 4;
+    uwb.tags.push_back(other);
+    model.setSnapshot(&uwb);
+    QCOMPARE(edited.row(), 2);
+    QCOMPARE(edited.data(Tags::TagRole).toInt(), 5);
+    // Listing it moves it before the others that are only heard.
+    QSignalSpy edits(&model, &Tags::editRequested);
+    QVERIFY(model.setData(edited, QStringLiteral("Fork"), Qt::EditRole));
+    uwb.tags.pop_back();
+    model.setSnapshot(&uwb);
+    QCOMPARE(edited.row(), 1);
+    QCOMPARE(resets.count(), 0);
+    UwbSettings settings = oneTag();
+    settings.tags = edits[0][1].value<std::vector<UwbTag>>();
+    model.setSettings(threeAnchors(), settings);
+    QCOMPARE(cell(model, 1, Tags::Label), QStringLiteral("Fork"));
 }
 
 void UwbTagTableTest::tagsChangeUnderTheModelTester()
