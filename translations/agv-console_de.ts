@@ -205,6 +205,14 @@
         <source>Floor tags read now</source>
         <translation>Gerade gelesene Bodentags</translation>
     </message>
+    <message>
+        <source>&amp;Port…</source>
+        <translation>&amp;Port…</translation>
+    </message>
+    <message>
+        <source>Choose the serial port of the UWB unit, and how the unit writes</source>
+        <translation>Den seriellen Port der UWB-Einheit wählen, und wie sie schreibt</translation>
+    </message>
 </context>
 <context>
     <name>MainWindow</name>
@@ -456,6 +464,130 @@
         <source>Everything but the battery is as it was</source>
         <translation>Alles außer der Batterie ist wieder wie vorher</translation>
     </message>
+    <message>
+        <source>&amp;UWB</source>
+        <translation>&amp;UWB</translation>
+    </message>
+    <message>
+        <source>UWB anchors</source>
+        <translation>UWB-Anker</translation>
+    </message>
+    <message>
+        <source>UWB tags</source>
+        <translation>UWB-Tags</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take the last edit of the UWB kit back</source>
+        <translation>Die letzte Änderung an der UWB-Anlage zurücknehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Make the edit again that was taken back</source>
+        <translation>Die zurückgenommene Änderung wieder vornehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Add anchor</source>
+        <translation>&amp;Anker hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add an anchor with the lowest free number; then enter where it stands</source>
+        <translation>Einen Anker mit der kleinsten freien Nummer hinzufügen; dann eintragen, wo er steht</translation>
+    </message>
+    <message>
+        <source>Remove a&amp;nchors</source>
+        <translation>A&amp;nker entfernen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen anchors and their range corrections</source>
+        <translation>Die gewählten Anker und ihre Abstandskorrekturen entfernen</translation>
+    </message>
+    <message>
+        <source>Add &amp;tag</source>
+        <translation>&amp;Tag hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a tag with the lowest free number</source>
+        <translation>Ein Tag mit der kleinsten freien Nummer hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove ta&amp;gs</source>
+        <translation>Ta&amp;gs entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen tags from the list, and their range corrections</source>
+        <translation>Die gewählten Tags und ihre Abstandskorrekturen aus der Liste entfernen</translation>
+    </message>
+    <message>
+        <source>&amp;Place anchors…</source>
+        <translation>Anker ein&amp;messen…</translation>
+    </message>
+    <message>
+        <source>Find where the anchors stand from the ranges between them</source>
+        <translation>Aus den Abständen der Anker untereinander finden, wo sie stehen</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate ranges…</source>
+        <translation>Abstände &amp;kalibrieren…</translation>
+    </message>
+    <message>
+        <source>Find range corrections with a tag that stands at a known point</source>
+        <translation>Abstandskorrekturen mit einem Tag finden, das an einem bekannten Punkt steht</translation>
+    </message>
+    <message>
+        <source>C&amp;orrection table…</source>
+        <translation>K&amp;orrekturtabelle…</translation>
+    </message>
+    <message>
+        <source>Corrections…</source>
+        <translation>Korrekturen…</translation>
+    </message>
+    <message>
+        <source>What is added to the range of each tag to each anchor</source>
+        <translation>Was zum Abstand jedes Tags von jedem Anker addiert wird</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>Replace anchors and tags by those of a file of this or another program</source>
+        <translation>Anker und Tags durch die einer Datei dieses oder eines anderen Programms ersetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>Write anchors and tags to a file</source>
+        <translation>Anker und Tags in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Save to plant file</source>
+        <translation>In Anlagendatei &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Write anchors, tags, corrections and port into the plant file</source>
+        <translation>Anker, Tags, Korrekturen und Port in die Anlagendatei schreiben</translation>
+    </message>
+    <message>
+        <source>Po&amp;rt…</source>
+        <translation>Po&amp;rt…</translation>
+    </message>
+    <message>
+        <source>Choose the serial port of the UWB unit, and how the unit writes</source>
+        <translation>Den seriellen Port der UWB-Einheit wählen, und wie sie schreibt</translation>
+    </message>
 </context>
 <context>
     <name>ResultCard</name>
@@ -474,6 +606,96 @@
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::AnchorSurveyDialog</name>
+    <message>
+        <source>&amp;Flip east and west</source>
+        <translation>Ost und West &amp;tauschen</translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation>&amp;Erneut messen</translation>
+    </message>
+    <message>
+        <source>&amp;Move the anchors</source>
+        <translation>Anker &amp;versetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>Ver&amp;werfen</translation>
+    </message>
+    <message>
+        <source>Place anchors</source>
+        <translation>Anker einmessen</translation>
+    </message>
+    <message>
+        <source>Places found from the ranges between the anchors. Hollow: where the list has an anchor now. Filled: where it would go, and how far. Heights stay as they are.</source>
+        <translation>Orte aus den Abständen der Anker untereinander. Hohl: wo ein Anker in der Liste jetzt steht. Gefüllt: wohin er käme, und wie weit. Die Höhen bleiben.</translation>
+    </message>
+    <message>
+        <source>&amp;Lay it</source>
+        <translation>&amp;Lage</translation>
+    </message>
+    <message>
+        <source>&amp;Turn by</source>
+        <translation>&amp;Drehen um</translation>
+    </message>
+    <message>
+        <source>Closest to the present list, or with one anchor as the origin of the plant</source>
+        <translation>Möglichst nahe an der jetzigen Liste, oder mit einem Anker als Ursprung der Anlage</translation>
+    </message>
+    <message>
+        <source>Ranges alone do not tell a plan from its mirror image</source>
+        <translation>Abstände allein unterscheiden einen Plan nicht von seinem Spiegelbild</translation>
+    </message>
+    <message>
+        <source>Counter-clockwise</source>
+        <translation>Gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Compute the places from the newest ranges between the anchors</source>
+        <translation>Die Orte aus den neuesten Abständen der Anker untereinander berechnen</translation>
+    </message>
+    <message>
+        <source>Put the proposed places into the list; one Undo takes them back</source>
+        <translation>Die vorgeschlagenen Orte in die Liste übernehmen; einmal Rückgängig nimmt sie zurück</translation>
+    </message>
+    <message>
+        <source>Close; the anchors stay where they are</source>
+        <translation>Schließen; die Anker bleiben, wo sie sind</translation>
+    </message>
+    <message>
+        <source>closest to the present list</source>
+        <translation>möglichst nahe an der jetzigen Liste</translation>
+    </message>
+    <message>
+        <source>with %1 at the origin</source>
+        <translation>mit %1 im Ursprung</translation>
+    </message>
+    <message>
+        <source>Computing the places…</source>
+        <translation>Die Orte werden berechnet…</translation>
+    </message>
+    <message>
+        <source>The anchors do not range each other.</source>
+        <translation>Die Anker messen einander nicht.</translation>
+    </message>
+    <message>
+        <source>Ranges minus distances: %1 (root mean square). Least certain place: ±%2.</source>
+        <translation>Gemessen minus Abstand: %1 (quadratisches Mittel). Unsicherster Ort: ±%2.</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::AnchorSurveyView</name>
+    <message>
+        <source>Present and proposed places of the anchors</source>
+        <translation>Jetzige und vorgeschlagene Orte der Anker</translation>
+    </message>
+    <message>
+        <source>stays</source>
+        <translation>bleibt</translation>
     </message>
 </context>
 <context>
@@ -513,6 +735,41 @@
     <message>
         <source>The RFID reader of %1 does not deliver: %2.</source>
         <translation>Der RFID-Leser von %1 liefert nichts: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::CorrectionDialog</name>
+    <message>
+        <source>Correction table</source>
+        <translation>Korrekturtabelle</translation>
+    </message>
+    <message>
+        <source>Added to each measured range, in cm. A range that reads too long needs a negative correction. An empty cell adds nothing.</source>
+        <translation>Wird zu jedem gemessenen Abstand addiert, in cm. Ein zu lang gemessener Abstand braucht eine negative Korrektur. Ein leeres Feld addiert nichts.</translation>
+    </message>
+    <message>
+        <source>Range corrections</source>
+        <translation>Abstandskorrekturen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>No corrections: there are no anchors. Add them in the panel UWB anchors.</source>
+        <translation>Keine Korrekturen: Es gibt keine Anker. Fügen Sie sie im Feld UWB-Anker hinzu.</translation>
+    </message>
+    <message>
+        <source>No corrections: no tag is listed or heard. Add one in the panel UWB tags, or switch one on.</source>
+        <translation>Keine Korrekturen: Kein Tag ist eingetragen oder zu hören. Fügen Sie im Feld UWB-Tags eines hinzu oder schalten Sie eines ein.</translation>
     </message>
 </context>
 <context>
@@ -588,14 +845,6 @@
         <translation>x %1   y %2</translation>
     </message>
     <message>
-        <source>AGV Console</source>
-        <translation>AGV-Leitstand</translation>
-    </message>
-    <message>
-        <source>%1 – AGV Console</source>
-        <translation>%1 – AGV-Leitstand</translation>
-    </message>
-    <message>
         <source>Plant: %1</source>
         <translation>Anlage: %1</translation>
     </message>
@@ -638,6 +887,14 @@
     <message>
         <source>&lt;b&gt;No robot can connect.&lt;/b&gt; %1. It is tried again by itself.</source>
         <translation>&lt;b&gt;Kein Roboter kann sich verbinden.&lt;/b&gt; %1. Es wird von selbst wieder versucht.</translation>
+    </message>
+    <message>
+        <source>AGV Console[*]</source>
+        <translation>AGV-Leitstand[*]</translation>
+    </message>
+    <message>
+        <source>%1[*] – AGV Console</source>
+        <translation>%1[*] – AGV-Leitstand</translation>
     </message>
 </context>
 <context>
@@ -776,6 +1033,161 @@ x %3, y %4, Höhe %5</translation>
     </message>
 </context>
 <context>
+    <name>agv::gui::RangeCalibrationDialog</name>
+    <message>
+        <source>%1 of the known point in mm</source>
+        <translation>%1 des bekannten Punkts in mm</translation>
+    </message>
+    <message>
+        <source>Calibrate ranges</source>
+        <translation>Abstände kalibrieren</translation>
+    </message>
+    <message>
+        <source>Put the tag at a point whose place you know, with a free view of every anchor. Keep it still and step aside while ranges are collected.</source>
+        <translation>Stellen Sie das Tag an einen Punkt, dessen Ort Sie kennen, mit freier Sicht auf jeden Anker. Lassen Sie es ruhig stehen und treten Sie zur Seite, während Abstände gesammelt werden.</translation>
+    </message>
+    <message>
+        <source>Height of the tag&apos;s antenna above the floor</source>
+        <translation>Höhe der Antenne des Tags über dem Boden</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Place of an &amp;AGV</source>
+        <translation>Ort eines &amp;AGV</translation>
+    </message>
+    <message>
+        <source>Take over where an AGV stands now; with the tag&apos;s place on it, when it carries the tag</source>
+        <translation>Übernehmen, wo ein AGV jetzt steht; trägt es das Tag, mit dem Platz des Tags darauf</translation>
+    </message>
+    <message>
+        <source>number or ID</source>
+        <translation>Nummer oder ID</translation>
+    </message>
+    <message>
+        <source>Place of this &amp;floor tag</source>
+        <translation>Ort dieses &amp;Bodentags</translation>
+    </message>
+    <message>
+        <source>Take over where the floor tag with this number or ID lies</source>
+        <translation>Übernehmen, wo das Bodentag mit dieser Nummer oder ID liegt</translation>
+    </message>
+    <message>
+        <source>&amp;Tag</source>
+        <translation>&amp;Tag</translation>
+    </message>
+    <message>
+        <source>Known point (mm)</source>
+        <translation>Bekannter Punkt (mm)</translation>
+    </message>
+    <message>
+        <source>&amp;Duration</source>
+        <translation>&amp;Dauer</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Corrections found</source>
+        <translation>Gefundene Korrekturen</translation>
+    </message>
+    <message>
+        <source>No ranges yet. Choose the tag, enter where it stands, and start.</source>
+        <translation>Noch keine Abstände. Wählen Sie das Tag, tragen Sie ein, wo es steht, und starten Sie.</translation>
+    </message>
+    <message>
+        <source>&amp;Use these corrections</source>
+        <translation>Diese Korrekturen über&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Put them into the correction table; one Undo takes them back</source>
+        <translation>In die Korrekturtabelle übernehmen; einmal Rückgängig nimmt sie zurück</translation>
+    </message>
+    <message>
+        <source>No AGV is located yet: calibrate one first</source>
+        <translation>Noch kein AGV hat eine Position: erst eines kalibrieren</translation>
+    </message>
+    <message>
+        <source>There is no floor tag &quot;%1&quot;.</source>
+        <translation>Es gibt kein Bodentag „%1“.</translation>
+    </message>
+    <message>
+        <source>%1 floor tags end in &quot;%2&quot;: enter more digits.</source>
+        <translation>%1 Bodentags enden auf „%2“: mehr Stellen eingeben.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation>&amp;Start</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>Erneut &amp;starten</translation>
+    </message>
+    <message>
+        <source>Give up this collection</source>
+        <translation>Diese Sammlung aufgeben</translation>
+    </message>
+    <message>
+        <source>Collect ranges of the tag at the known point</source>
+        <translation>Abstände des Tags am bekannten Punkt sammeln</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>Ver&amp;werfen</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close; the correction table stays as it is</source>
+        <translation>Schließen; die Korrekturtabelle bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>There are no anchors. Add them in the panel UWB anchors.</source>
+        <translation>Es gibt keine Anker. Fügen Sie sie im Feld UWB-Anker hinzu.</translation>
+    </message>
+    <message>
+        <source>The UWB unit is not connected. Open it in the panel Links.</source>
+        <translation>Die UWB-Einheit ist nicht verbunden. Öffnen Sie sie im Feld Verbindungen.</translation>
+    </message>
+    <message>
+        <source>No tag is listed or heard. Switch the tag on, or add it in the panel UWB tags.</source>
+        <translation>Kein Tag ist eingetragen oder zu hören. Schalten Sie das Tag ein oder fügen Sie es im Feld UWB-Tags hinzu.</translation>
+    </message>
+    <message>
+        <source>No corrections: %1</source>
+        <translation>Keine Korrekturen: %1</translation>
+    </message>
+    <message>
+        <source>Finished. Look at the spread, then use or discard the corrections of %1.</source>
+        <translation>Fertig. Prüfen Sie die Streuung, dann übernehmen oder verwerfen Sie die Korrekturen von %1.</translation>
+    </message>
+    <message>
+        <source>Finished, but some ranges vary much: was the view blocked, or the tag moved?</source>
+        <translation>Fertig, aber einige Abstände streuen stark: War die Sicht verdeckt, oder wurde das Tag bewegt?</translation>
+    </message>
+    <message>
+        <source>Collecting ranges of %1: leave the tag where it is.</source>
+        <translation>Abstände von %1 werden gesammelt: Lassen Sie das Tag stehen.</translation>
+    </message>
+    <message>
+        <source>Enter where the antenna of the tag is, then start.</source>
+        <translation>Tragen Sie ein, wo die Antenne des Tags ist, dann starten Sie.</translation>
+    </message>
+    <message>
+        <source>Calibrate ranges of %1</source>
+        <translation>Abstände von %1 kalibrieren</translation>
+    </message>
+</context>
+<context>
     <name>agv::gui::ResultCard</name>
     <message>
         <source>Turn aborted</source>
@@ -882,6 +1294,141 @@ x %3, y %4, Höhe %5</translation>
     </message>
 </context>
 <context>
+    <name>agv::gui::SerialPortDialog</name>
+    <message>
+        <source>trek (TREK1000, firmware 2.x)</source>
+        <translation>trek (TREK1000, Firmware 2.x)</translation>
+    </message>
+    <message>
+        <source>trek-1.06 (TREK1000, firmware 1.06)</source>
+        <translation>trek-1.06 (TREK1000, Firmware 1.06)</translation>
+    </message>
+    <message>
+        <source>ulm4 (ULM1, LD600)</source>
+        <translation>ulm4 (ULM1, LD600)</translation>
+    </message>
+    <message>
+        <source>ulm8 (ULM3)</source>
+        <translation>ulm8 (ULM3)</translation>
+    </message>
+    <message>
+        <source>esp32 (as trek, without a time)</source>
+        <translation>esp32 (wie trek, ohne Zeit)</translation>
+    </message>
+    <message>
+        <source>imu (metres, motion sensors)</source>
+        <translation>imu (Meter, Bewegungssensoren)</translation>
+    </message>
+    <message>
+        <source>found from what the unit writes</source>
+        <translation>aus dem gefunden, was die Einheit schreibt</translation>
+    </message>
+    <message>
+        <source>&amp;Ask the unit</source>
+        <translation>Einheit &amp;fragen</translation>
+    </message>
+    <message>
+        <source>&amp;Use this port</source>
+        <translation>Diesen Port &amp;verwenden</translation>
+    </message>
+    <message>
+        <source>Port of the UWB unit</source>
+        <translation>Port der UWB-Einheit</translation>
+    </message>
+    <message>
+        <source>&amp;List again</source>
+        <translation>Neu auf&amp;listen</translation>
+    </message>
+    <message>
+        <source>Look again which serial ports this computer has</source>
+        <translation>Erneut nachsehen, welche seriellen Ports dieser Rechner hat</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close; the port stays as it is</source>
+        <translation>Schließen; der Port bleibt, wie er ist</translation>
+    </message>
+    <message>
+        <source>Or another &amp;path</source>
+        <translation>Oder ein anderer &amp;Pfad</translation>
+    </message>
+    <message>
+        <source>&amp;Dialect</source>
+        <translation>&amp;Dialekt</translation>
+    </message>
+    <message>
+        <source>Serial ports</source>
+        <translation>Serielle Ports</translation>
+    </message>
+    <message>
+        <source>Any name the system opens; a choice in the list fills it in</source>
+        <translation>Jeder Name, den das System öffnet; eine Wahl in der Liste trägt ihn ein</translation>
+    </message>
+    <message>
+        <source>How the unit writes its reports; choose one only when it is found wrongly</source>
+        <translation>Wie die Einheit ihre Berichte schreibt; nur wählen, wenn es falsch erkannt wird</translation>
+    </message>
+    <message>
+        <source>Ask the unit for its version, number and radio channel</source>
+        <translation>Die Einheit nach Version, Nummer und Funkkanal fragen</translation>
+    </message>
+    <message>
+        <source>Use this port and dialect from now on; Undo takes it back</source>
+        <translation>Ab jetzt diesen Port und Dialekt verwenden; Rückgängig nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>USB ID</source>
+        <translation>USB-ID</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation>beliebig</translation>
+    </message>
+    <message>
+        <source>The first TREK1000 unit that is plugged in</source>
+        <translation>Die erste TREK1000-Einheit, die eingesteckt ist</translation>
+    </message>
+    <message>
+        <source>The unit is not connected: choose its port, then open it in the panel Links.</source>
+        <translation>Die Einheit ist nicht verbunden: Wählen Sie ihren Port, dann öffnen Sie sie im Feld Verbindungen.</translation>
+    </message>
+    <message>
+        <source>The unit has not told yet what it is.</source>
+        <translation>Die Einheit hat noch nicht gesagt, was sie ist.</translation>
+    </message>
+    <message>
+        <source>Unit: %1, number %2, channel %3, %4</source>
+        <translation>Einheit: %1, Nummer %2, Kanal %3, %4</translation>
+    </message>
+    <message>
+        <source>6.81 Mb/s</source>
+        <translation>6,81 Mb/s</translation>
+    </message>
+    <message>
+        <source>110 kb/s</source>
+        <translation>110 kb/s</translation>
+    </message>
+    <message>
+        <source>This computer has no serial port now. Plug the unit in, then list again.</source>
+        <translation>Dieser Rechner hat gerade keinen seriellen Port. Stecken Sie die Einheit ein und listen Sie neu auf.</translation>
+    </message>
+</context>
+<context>
     <name>agv::gui::ShiftLog</name>
     <message>
         <source>Sleeptime changed from %1 to %2</source>
@@ -956,6 +1503,300 @@ x %3, y %4, Höhe %5</translation>
     <message>
         <source>out of place</source>
         <translation>fehl am Platz</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::UwbEditor</name>
+    <message>
+        <source>Choose port %1</source>
+        <translation>Port %1 wählen</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::UwbScreens</name>
+    <message>
+        <source>All 256 anchor numbers are in use.</source>
+        <translation>Alle 256 Ankernummern sind vergeben.</translation>
+    </message>
+    <message>
+        <source>All 256 tag numbers are in use.</source>
+        <translation>Alle 256 Tag-Nummern sind vergeben.</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo</source>
+        <translation>Es gibt nichts zurückzunehmen</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo</source>
+        <translation>Es gibt nichts zu wiederholen</translation>
+    </message>
+    <message>
+        <source>UWB anchors</source>
+        <translation>UWB-Anker</translation>
+    </message>
+    <message>
+        <source>UWB tags</source>
+        <translation>UWB-Tags</translation>
+    </message>
+    <message>
+        <source>No UWB anchors, so UWB is not used. Add them here, or import a list of this or another program.</source>
+        <translation>Keine UWB-Anker, also wird UWB nicht verwendet. Fügen Sie sie hier hinzu oder importieren Sie eine Liste dieses oder eines anderen Programms.</translation>
+    </message>
+    <message>
+        <source>No UWB tags. Add the anchors first (panel UWB anchors), then tags; those that are heard come by themselves.</source>
+        <translation>Keine UWB-Tags. Fügen Sie erst die Anker hinzu (Feld UWB-Anker), dann Tags; die zu hören sind, kommen von selbst.</translation>
+    </message>
+    <message>
+        <source>No UWB tags: none is listed, and none is heard. Switch a tag on, or add one here.</source>
+        <translation>Keine UWB-Tags: Keines ist eingetragen, und keines ist zu hören. Schalten Sie ein Tag ein oder fügen Sie hier eines hinzu.</translation>
+    </message>
+    <message>
+        <source>No UWB tags: none is listed. Open the UWB unit in the panel Links and switch a tag on; it comes by itself. Or add one here.</source>
+        <translation>Keine UWB-Tags: Keines ist eingetragen. Öffnen Sie die UWB-Einheit im Feld Verbindungen und schalten Sie ein Tag ein; es kommt von selbst. Oder fügen Sie hier eines hinzu.</translation>
+    </message>
+    <message>
+        <source>Import anchors and tags</source>
+        <translation>Anker und Tags importieren</translation>
+    </message>
+    <message>
+        <source>Anchor lists and plant files (*.csv *.xml *.json *.cfg *.txt)</source>
+        <translation>Ankerlisten und Anlagendateien (*.csv *.xml *.json *.cfg *.txt)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export anchors and tags</source>
+        <translation>Anker und Tags exportieren</translation>
+    </message>
+    <message>
+        <source>Anchor list (*.csv)</source>
+        <translation>Ankerliste (*.csv)</translation>
+    </message>
+    <message>
+        <source>Imported: anchors %1, tags %2. Undo takes the import back.</source>
+        <translation>Importiert: Anker %1, Tags %2. Rückgängig nimmt den Import zurück.</translation>
+    </message>
+    <message>
+        <source>Unsaved edits</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>The UWB anchors and tags were edited but not saved to the plant file.</source>
+        <translation>Die UWB-Anker und -Tags wurden geändert, aber nicht in der Anlagendatei gespeichert.</translation>
+    </message>
+    <message>
+        <source>&amp;Save and close</source>
+        <translation>&amp;Speichern und schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard and close</source>
+        <translation>&amp;Verwerfen und schließen</translation>
+    </message>
+    <message>
+        <source>Go &amp;back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>In use, but not saved: lost when the console ends.</source>
+        <translation>Gilt schon, ist aber nicht gespeichert: geht mit dem Ende der Konsole verloren.</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::AnchorTableModel</name>
+    <message>
+        <source>Anchor %1</source>
+        <translation>Anker %1</translation>
+    </message>
+    <message>
+        <source>Of the last %1 ranges of %2</source>
+        <translation>Aus den letzten %1 Abständen von %2</translation>
+    </message>
+    <message>
+        <source>No range of %1 yet: open the UWB unit and switch a tag on</source>
+        <translation>Noch kein Abstand von %1: die UWB-Einheit öffnen und ein Tag einschalten</translation>
+    </message>
+    <message>
+        <source>Too few ranges of %1 with a position yet</source>
+        <translation>Noch zu wenige Abstände von %1 mit einer Position</translation>
+    </message>
+    <message>
+        <source>the number of %1</source>
+        <translation>die Nummer von %1</translation>
+    </message>
+    <message>
+        <source>There is an anchor %1 already (%2): choose another number.</source>
+        <translation>Es gibt schon einen Anker %1 (%2): Wählen Sie eine andere Nummer.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 in mm</source>
+        <translation>%1 von %2 in mm</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 verbergen</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 versetzen</translation>
+    </message>
+    <message>
+        <source>Renumber %1</source>
+        <translation>%1 neu nummerieren</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <comment>number of an anchor</comment>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Number of the anchor, as in the reports: 0 to 255</source>
+        <translation>Nummer des Ankers, wie in den Berichten: 0 bis 255</translation>
+    </message>
+    <message>
+        <source>Anchor</source>
+        <translation>Anker</translation>
+    </message>
+    <message>
+        <source>Name on the map and in messages</source>
+        <translation>Name auf der Karte und in Meldungen</translation>
+    </message>
+    <message>
+        <source>x (mm)</source>
+        <translation>x (mm)</translation>
+    </message>
+    <message>
+        <source>Antenna of the anchor, to the east of the plant&apos;s origin</source>
+        <translation>Antenne des Ankers, östlich vom Ursprung der Anlage</translation>
+    </message>
+    <message>
+        <source>y (mm)</source>
+        <translation>y (mm)</translation>
+    </message>
+    <message>
+        <source>Antenna of the anchor, to the north of the plant&apos;s origin</source>
+        <translation>Antenne des Ankers, nördlich vom Ursprung der Anlage</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+    <message>
+        <source>Height of the anchor&apos;s antenna above the floor</source>
+        <translation>Höhe der Antenne des Ankers über dem Boden</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Whether the map shows the anchor; its ranges are used in any case</source>
+        <translation>Ob die Karte den Anker zeigt; seine Abstände werden auf jeden Fall verwendet</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Time since the last range</source>
+        <translation>Zeit seit dem letzten Abstand</translation>
+    </message>
+    <message>
+        <source>Ranges per second, of all tags</source>
+        <translation>Abstände je Sekunde, von allen Tags</translation>
+    </message>
+    <message>
+        <source>Residual (mm)</source>
+        <translation>Abweichung (mm)</translation>
+    </message>
+    <message>
+        <source>How much longer its ranges are than the distances to the positions, on average. Far from 0: it stands elsewhere, its view is blocked, or its ranges need a correction</source>
+        <translation>Um wie viel länger seine Abstände im Mittel sind als die zu den Positionen. Weit von 0: Er steht woanders, seine Sicht ist verdeckt, oder seine Abstände brauchen eine Korrektur</translation>
+    </message>
+    <message>
+        <source>Spread (mm)</source>
+        <translation>Streuung (mm)</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the residuals</source>
+        <translation>Standardabweichung der Abweichungen</translation>
+    </message>
+    <message>
+        <source>Notice</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Why the place of the anchor in the list is doubted</source>
+        <translation>Warum der Ort des Ankers in der Liste bezweifelt wird</translation>
+    </message>
+    <message>
+        <source>Rate (1/s)</source>
+        <translation>Rate (1/s)</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::CellInput</name>
+    <message>
+        <source>&quot;%1&quot; is not a number: %2 stays as it was.</source>
+        <translation>„%1“ ist keine Zahl: %2 bleibt unverändert.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range: %2 may be from %3 to %4.</source>
+        <translation>„%1“ liegt außerhalb des Bereichs: Für %2 gilt %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a whole number: %2 stays as it was.</source>
+        <translation>„%1“ ist keine ganze Zahl: %2 bleibt unverändert.</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::CorrectionTableModel</name>
+    <message>
+        <source>%1 – %2</source>
+        <comment>anchor and tag</comment>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>%1: added to each measured range, in cm; empty: nothing</source>
+        <translation>%1: wird zu jedem gemessenen Abstand addiert, in cm; leer: nichts</translation>
+    </message>
+    <message>
+        <source>the correction %1 in cm</source>
+        <translation>die Korrektur %1 in cm</translation>
+    </message>
+    <message>
+        <source>Correct %1</source>
+        <translation>%1 korrigieren</translation>
+    </message>
+    <message>
+        <source>%1 (cm)</source>
+        <comment>correction of this tag</comment>
+        <translation>%1 (cm)</translation>
     </message>
 </context>
 <context>
@@ -1686,6 +2527,41 @@ x %3, y %4, Höhe %5</translation>
     </message>
 </context>
 <context>
+    <name>agv::model::RangeCalibrationModel</name>
+    <message>
+        <source>Anchor %1</source>
+        <translation>Anker %1</translation>
+    </message>
+    <message>
+        <source>Too few ranges: its correction stays as it is</source>
+        <translation>Zu wenige Abstände: Seine Korrektur bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Standard deviation of a single range</source>
+        <translation>Standardabweichung eines einzelnen Abstands</translation>
+    </message>
+    <message>
+        <source>Anchor</source>
+        <translation>Anker</translation>
+    </message>
+    <message>
+        <source>Ranges</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>Found (cm)</source>
+        <translation>Gefunden (cm)</translation>
+    </message>
+    <message>
+        <source>Spread (mm)</source>
+        <translation>Streuung (mm)</translation>
+    </message>
+    <message>
+        <source>Now (cm)</source>
+        <translation>Bisher (cm)</translation>
+    </message>
+</context>
+<context>
     <name>agv::model::StopTableModel</name>
     <message>
         <source>Tag %1, RSSI %2</source>
@@ -1722,6 +2598,183 @@ x %3, y %4, Höhe %5</translation>
     <message>
         <source>Tag %1</source>
         <translation>Tag %1</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::UwbTagTableModel</name>
+    <message>
+        <source>UWB tag %1</source>
+        <translation>UWB-Tag %1</translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation>AGV %1</translation>
+    </message>
+    <message>
+        <source>Not heard</source>
+        <translation>Nicht zu hören</translation>
+    </message>
+    <message>
+        <source>Fix</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>not listed</source>
+        <translation>nicht eingetragen</translation>
+    </message>
+    <message>
+        <source>No range to %1 in the last report</source>
+        <translation>Kein Abstand von %1 im letzten Bericht</translation>
+    </message>
+    <message>
+        <source>Not used: the range to %1 does not fit the others, its view is probably blocked</source>
+        <translation>Nicht verwendet: Der Abstand von %1 passt nicht zu den anderen, die Sicht ist wahrscheinlich verdeckt</translation>
+    </message>
+    <message>
+        <source>Measured minus expected: %1</source>
+        <translation>Gemessen minus erwartet: %1</translation>
+    </message>
+    <message>
+        <source>Range to %1, corrected</source>
+        <translation>Abstand von %1, korrigiert</translation>
+    </message>
+    <message>
+        <source>No report of this tag yet: switch it on and open the UWB unit</source>
+        <translation>Noch kein Bericht dieses Tags: einschalten und die UWB-Einheit öffnen</translation>
+    </message>
+    <message>
+        <source>This tag is heard but is not in the list: an entry of a label, an AGV or a height lists it</source>
+        <translation>Dieses Tag ist zu hören, steht aber nicht in der Liste: Ein Name, ein AGV oder eine Höhe trägt es ein</translation>
+    </message>
+    <message>
+        <source>Too few positions yet</source>
+        <translation>Noch zu wenige Positionen</translation>
+    </message>
+    <message>
+        <source>%1 reports, %2 exchanges missed</source>
+        <translation>%1 Berichte, %2 Messungen verpasst</translation>
+    </message>
+    <message>
+        <source>There is no AGV &quot;%1&quot;: choose one of the plant for %2, or none.</source>
+        <translation>Es gibt kein AGV „%1“: Wählen Sie für %2 eines der Anlage oder keines.</translation>
+    </message>
+    <message>
+        <source>the height of %1 in mm</source>
+        <translation>die Höhe von %1 in mm</translation>
+    </message>
+    <message>
+        <source>the number of %1</source>
+        <translation>die Nummer von %1</translation>
+    </message>
+    <message>
+        <source>There is a UWB tag %1 already (%2): choose another number.</source>
+        <translation>Es gibt schon ein UWB-Tag %1 (%2): Wählen Sie eine andere Nummer.</translation>
+    </message>
+    <message>
+        <source>Edit %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>List %1</source>
+        <translation>%1 eintragen</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <comment>number of a UWB tag</comment>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Number of the tag, as in the reports: 0 to 255</source>
+        <translation>Nummer des Tags, wie in den Berichten: 0 bis 255</translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation>Tag</translation>
+    </message>
+    <message>
+        <source>Name on the map and in messages</source>
+        <translation>Name auf der Karte und in Meldungen</translation>
+    </message>
+    <message>
+        <source>AGV</source>
+        <translation>AGV</translation>
+    </message>
+    <message>
+        <source>The AGV that carries the tag</source>
+        <translation>Das AGV, das das Tag trägt</translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation>z (mm)</translation>
+    </message>
+    <message>
+        <source>Height of the tag&apos;s antenna above the floor</source>
+        <translation>Höhe der Antenne des Tags über dem Boden</translation>
+    </message>
+    <message>
+        <source>x (mm)</source>
+        <translation>x (mm)</translation>
+    </message>
+    <message>
+        <source>Position of the tag&apos;s antenna, to the east of the plant&apos;s origin</source>
+        <translation>Position der Antenne des Tags, östlich vom Ursprung der Anlage</translation>
+    </message>
+    <message>
+        <source>y (mm)</source>
+        <translation>y (mm)</translation>
+    </message>
+    <message>
+        <source>Position of the tag&apos;s antenna, to the north of the plant&apos;s origin</source>
+        <translation>Position der Antenne des Tags, nördlich vom Ursprung der Anlage</translation>
+    </message>
+    <message>
+        <source>95 % (mm)</source>
+        <translation>95 % (mm)</translation>
+    </message>
+    <message>
+        <source>The position lies within this of x and y with 95 % certainty, for anchors that stand where the list says</source>
+        <translation>Die Position liegt mit 95 % Sicherheit so nahe an x und y, wenn die Anker stehen, wo die Liste sagt</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>Alter</translation>
+    </message>
+    <message>
+        <source>Time since the ranges were measured</source>
+        <translation>Zeit, seit die Abstände gemessen wurden</translation>
+    </message>
+    <message>
+        <source>Reports per second</source>
+        <translation>Berichte je Sekunde</translation>
+    </message>
+    <message>
+        <source>R95 (mm)</source>
+        <translation>R95 (mm)</translation>
+    </message>
+    <message>
+        <source>Repeatability: 95 % of the last positions lie within this of their own mean. It says nothing of how far that mean is from the truth</source>
+        <translation>Wiederholgenauigkeit: 95 % der letzten Positionen liegen so nahe an ihrem eigenen Mittel. Wie weit das Mittel von der Wahrheit liegt, sagt sie nicht</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Fix: there is a position; else the reason why there is none</source>
+        <translation>Position: Es gibt eine; sonst der Grund, warum nicht</translation>
+    </message>
+    <message>
+        <source>%1 (mm)</source>
+        <comment>range to this anchor</comment>
+        <translation>%1 (mm)</translation>
+    </message>
+    <message>
+        <source>Last range to %1, corrected. A cross marks a range that is not used</source>
+        <translation>Letzter Abstand von %1, korrigiert. Ein Kreuz markiert einen Abstand, der nicht verwendet wird</translation>
+    </message>
+    <message>
+        <source>Rate (1/s)</source>
+        <translation>Rate (1/s)</translation>
     </message>
 </context>
 <context>

@@ -205,6 +205,14 @@
         <source>Floor tags read now</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Port…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the serial port of the UWB unit, and how the unit writes</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>MainWindow</name>
@@ -456,6 +464,130 @@
         <source>Everything but the battery is as it was</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;UWB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB anchors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the last edit of the UWB kit back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make the edit again that was taken back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Add anchor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add an anchor with the lowest free number; then enter where it stands</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove a&amp;nchors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the chosen anchors and their range corrections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add &amp;tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add a tag with the lowest free number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove ta&amp;gs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove the chosen tags from the list, and their range corrections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Place anchors…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find where the anchors stand from the ranges between them</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate ranges…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Find range corrections with a tag that stands at a known point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;orrection table…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corrections…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is added to the range of each tag to each anchor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Replace anchors and tags by those of a file of this or another program</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write anchors and tags to a file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save to plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write anchors, tags, corrections and port into the plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Po&amp;rt…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the serial port of the UWB unit, and how the unit writes</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ResultCard</name>
@@ -473,6 +605,96 @@
     </message>
     <message>
         <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::AnchorSurveyDialog</name>
+    <message>
+        <source>&amp;Flip east and west</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measure again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Move the anchors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place anchors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Places found from the ranges between the anchors. Hollow: where the list has an anchor now. Filled: where it would go, and how far. Heights stay as they are.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Lay it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Turn by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Closest to the present list, or with one anchor as the origin of the plant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ranges alone do not tell a plan from its mirror image</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Counter-clockwise</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Compute the places from the newest ranges between the anchors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the proposed places into the list; one Undo takes them back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close; the anchors stay where they are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>closest to the present list</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>with %1 at the origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computing the places…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The anchors do not range each other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ranges minus distances: %1 (root mean square). Least certain place: ±%2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::AnchorSurveyView</name>
+    <message>
+        <source>Present and proposed places of the anchors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stays</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -512,6 +734,41 @@
     </message>
     <message>
         <source>The RFID reader of %1 does not deliver: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::CorrectionDialog</name>
+    <message>
+        <source>Correction table</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Added to each measured range, in cm. A range that reads too long needs a negative correction. An empty cell adds nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range corrections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No corrections: there are no anchors. Add them in the panel UWB anchors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No corrections: no tag is listed or heard. Add one in the panel UWB tags, or switch one on.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -588,14 +845,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>AGV Console</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 – AGV Console</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Plant: %1</source>
         <translation type="unfinished"></translation>
     </message>
@@ -637,6 +886,14 @@
     </message>
     <message>
         <source>&lt;b&gt;No robot can connect.&lt;/b&gt; %1. It is tried again by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV Console[*]</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1[*] – AGV Console</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -771,6 +1028,161 @@ x %3, y %4, height %5</source>
     </message>
 </context>
 <context>
+    <name>agv::gui::RangeCalibrationDialog</name>
+    <message>
+        <source>%1 of the known point in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the tag at a point whose place you know, with a free view of every anchor. Keep it still and step aside while ranges are collected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the tag&apos;s antenna above the floor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place of an &amp;AGV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take over where an AGV stands now; with the tag&apos;s place on it, when it carries the tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>number or ID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Place of this &amp;floor tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take over where the floor tag with this number or ID lies</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Known point (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Duration</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Corrections found</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No ranges yet. Choose the tag, enter where it stands, and start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Use these corrections</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put them into the correction table; one Undo takes them back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No AGV is located yet: calibrate one first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no floor tag &quot;%1&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 floor tags end in &quot;%2&quot;: enter more digits.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Start</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Give up this collection</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collect ranges of the tag at the known point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close; the correction table stays as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are no anchors. Add them in the panel UWB anchors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The UWB unit is not connected. Open it in the panel Links.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No tag is listed or heard. Switch the tag on, or add it in the panel UWB tags.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No corrections: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finished. Look at the spread, then use or discard the corrections of %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Finished, but some ranges vary much: was the view blocked, or the tag moved?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Collecting ranges of %1: leave the tag where it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter where the antenna of the tag is, then start.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate ranges of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>agv::gui::ResultCard</name>
     <message>
         <source>Turn aborted</source>
@@ -877,6 +1289,141 @@ x %3, y %4, height %5</source>
     </message>
 </context>
 <context>
+    <name>agv::gui::SerialPortDialog</name>
+    <message>
+        <source>trek (TREK1000, firmware 2.x)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>trek-1.06 (TREK1000, firmware 1.06)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ulm4 (ULM1, LD600)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>ulm8 (ULM3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>esp32 (as trek, without a time)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>imu (metres, motion sensors)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found from what the unit writes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Ask the unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Use this port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port of the UWB unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;List again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look again which serial ports this computer has</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Close; the port stays as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Or another &amp;path</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Dialect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serial ports</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any name the system opens; a choice in the list fills it in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How the unit writes its reports; choose one only when it is found wrongly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask the unit for its version, number and radio channel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use this port and dialect from now on; Undo takes it back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>USB ID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>any</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The first TREK1000 unit that is plugged in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The unit is not connected: choose its port, then open it in the panel Links.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The unit has not told yet what it is.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unit: %1, number %2, channel %3, %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>6.81 Mb/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>110 kb/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This computer has no serial port now. Plug the unit in, then list again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>agv::gui::ShiftLog</name>
     <message>
         <source>Sleeptime changed from %1 to %2</source>
@@ -950,6 +1497,300 @@ x %3, y %4, height %5</source>
     </message>
     <message>
         <source>No stops to compare yet. Press Calibrate: after the third stop this shows which tags each stop saw, missed or should not have seen.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::UwbEditor</name>
+    <message>
+        <source>Choose port %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::UwbScreens</name>
+    <message>
+        <source>All 256 anchor numbers are in use.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All 256 tag numbers are in use.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is nothing to redo</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB anchors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No UWB anchors, so UWB is not used. Add them here, or import a list of this or another program.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No UWB tags. Add the anchors first (panel UWB anchors), then tags; those that are heard come by themselves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No UWB tags: none is listed, and none is heard. Switch a tag on, or add one here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No UWB tags: none is listed. Open the UWB unit in the panel Links and switch a tag on; it comes by itself. Or add one here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Import anchors and tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchor lists and plant files (*.csv *.xml *.json *.cfg *.txt)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export anchors and tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchor list (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Imported: anchors %1, tags %2. Undo takes the import back.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unsaved edits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The UWB anchors and tags were edited but not saved to the plant file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save and close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Discard and close</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go &amp;back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In use, but not saved: lost when the console ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::AnchorTableModel</name>
+    <message>
+        <source>Anchor %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of the last %1 ranges of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No range of %1 yet: open the UWB unit and switch a tag on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too few ranges of %1 with a position yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is an anchor %1 already (%2): choose another number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Renumber %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <comment>number of an anchor</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of the anchor, as in the reports: 0 to 255</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name on the map and in messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Antenna of the anchor, to the east of the plant&apos;s origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Antenna of the anchor, to the north of the plant&apos;s origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the anchor&apos;s antenna above the floor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the map shows the anchor; its ranges are used in any case</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time since the last range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ranges per second, of all tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Residual (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much longer its ranges are than the distances to the positions, on average. Far from 0: it stands elsewhere, its view is blocked, or its ranges need a correction</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spread (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of the residuals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why the place of the anchor in the list is doubted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate (1/s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::CellInput</name>
+    <message>
+        <source>&quot;%1&quot; is not a number: %2 stays as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is out of range: %2 may be from %3 to %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a whole number: %2 stays as it was.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::CorrectionTableModel</name>
+    <message>
+        <source>%1 – %2</source>
+        <comment>anchor and tag</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: added to each measured range, in cm; empty: nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the correction %1 in cm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Correct %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (cm)</source>
+        <comment>correction of this tag</comment>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1681,6 +2522,41 @@ x %3, y %4, height %5</source>
     </message>
 </context>
 <context>
+    <name>agv::model::RangeCalibrationModel</name>
+    <message>
+        <source>Anchor %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too few ranges: its correction stays as it is</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Standard deviation of a single range</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Found (cm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Spread (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now (cm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>agv::model::StopTableModel</name>
     <message>
         <source>Tag %1, RSSI %2</source>
@@ -1716,6 +2592,183 @@ x %3, y %4, height %5</source>
     </message>
     <message>
         <source>Tag %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::UwbTagTableModel</name>
+    <message>
+        <source>UWB tag %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not heard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not listed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No range to %1 in the last report</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not used: the range to %1 does not fit the others, its view is probably blocked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured minus expected: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Range to %1, corrected</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No report of this tag yet: switch it on and open the UWB unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This tag is heard but is not in the list: an entry of a label, an AGV or a height lists it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Too few positions yet</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 reports, %2 exchanges missed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no AGV &quot;%1&quot;: choose one of the plant for %2, or none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the height of %1 in mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a UWB tag %1 already (%2): choose another number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Edit %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <comment>number of a UWB tag</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number of the tag, as in the reports: 0 to 255</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Name on the map and in messages</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The AGV that carries the tag</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>z (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Height of the tag&apos;s antenna above the floor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position of the tag&apos;s antenna, to the east of the plant&apos;s origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position of the tag&apos;s antenna, to the north of the plant&apos;s origin</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95 % (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The position lies within this of x and y with 95 % certainty, for anchors that stand where the list says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time since the ranges were measured</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reports per second</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R95 (mm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Repeatability: 95 % of the last positions lie within this of their own mean. It says nothing of how far that mean is from the truth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fix: there is a position; else the reason why there is none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (mm)</source>
+        <comment>range to this anchor</comment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last range to %1, corrected. A cross marks a range that is not used</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Rate (1/s)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -36,6 +36,7 @@ LinksPanel::LinksPanel(QWidget* parent) : QWidget(parent), m_ui(std::make_unique
     vehicles->horizontalHeader()->setSectionResizeMode(VehicleTableModel::State, QHeaderView::Stretch);
     m_ui->refusedLabel->hide();
     m_ui->readingLabel->hide();
+    m_ui->portButton->hide();
 
     connect(m_ui->openButton, &QPushButton::clicked, this, [this] {
         if (isUwbChosen())
@@ -49,6 +50,7 @@ LinksPanel::LinksPanel(QWidget* parent) : QWidget(parent), m_ui(std::make_unique
         for (int robot : chosenRobots())
             emit closeReaderRequested(robot);
     });
+    connect(m_ui->portButton, &QPushButton::clicked, this, &LinksPanel::uwbPortRequested);
     connect(m_ui->readButton, &QPushButton::toggled, this, &LinksPanel::read);
     connect(links->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &LinksPanel::updateButtons);
@@ -174,6 +176,8 @@ void LinksPanel::updateButtons()
     m_ui->openButton->setEnabled(canOpen);
     m_ui->closeButton->setEnabled(canClose);
     const bool uwb = isUwbChosen();
+    m_ui->readButton->setVisible(!uwb);
+    m_ui->portButton->setVisible(uwb);
     m_ui->openButton->setText(uwb ? tr("&Open UWB") : tr("&Open RFID"));
     m_ui->closeButton->setText(uwb ? tr("&Close UWB") : tr("&Close RFID"));
     m_ui->openButton->setToolTip(

@@ -34,6 +34,7 @@ signals:
     void closeReaderRequested(int robot);
     void openUwbRequested();
     void closeUwbRequested();
+    void uwbPortRequested(); ///< to be chosen
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -35,6 +35,7 @@ void MainWindow::showSnapshot(const PlantSnapshot& snapshot)
     d->ui.map->showSnapshot(snapshot);
     d->ui.links->showSnapshot(snapshot);
     d->ui.calibration->showSnapshot(snapshot);
+    d->uwb->showSnapshot(snapshot);
     d->showStatus(snapshot);
     for (const EventEntry& line : d->shiftLog.linesFor(snapshot, QDateTime::currentMSecsSinceEpoch()))
         addEvent(line);
@@ -65,8 +66,26 @@ void MainWindow::showSimulationEnd(const QString& reason)
     d->showTrouble(Private::Trouble::Simulation, reason);
 }
 
+void MainWindow::takeImportedUwb(const std::vector<UwbAnchor>& anchors, const UwbSettings& settings,
+                                 const QStringList& notes)
+{
+    d->uwb->takeImported(anchors, settings, notes);
+}
+
+void MainWindow::showUwbSaved(bool saved, const QString& sentence) { d->uwb->showSaved(saved, sentence); }
+
+void MainWindow::showUwbNote(EventLevel level, const QString& sentence) { d->uwb->showNote(level, sentence); }
+
+void MainWindow::showAnchorSurvey(const AnchorSurvey& survey) { d->uwb->showSurvey(survey); }
+
+void MainWindow::showSerialPorts(const std::vector<SerialPortInfo>& ports) { d->uwb->showPorts(ports); }
+
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+    if (!d->uwb->mayClose()) {
+        event->ignore();
+        return;
+    }
     d->saveLayout();
     QMainWindow::closeEvent(event);
 }

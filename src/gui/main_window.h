@@ -3,11 +3,15 @@
 
 #include <QMainWindow>
 
+#include "core/anchor_survey.h"
 #include "core/plant_layout.h"
+#include "core/serial_choice.h"
 #include "core/snapshot.h"
 #include "core/turn.h"
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace agv::gui {
 
@@ -29,6 +33,19 @@ public slots:
     /// The simulated plant is gone for good.
     void showSimulationEnd(const QString& reason);
 
+    /// Answers importUwbRequested(): what the file holds, as one edit that can be undone; `notes` are plain
+    /// English.
+    void takeImportedUwb(const std::vector<agv::UwbAnchor>& anchors, const agv::UwbSettings& settings,
+                         const QStringList& notes);
+    /// Answers saveUwbRequested(): where it went, or why it was not saved and what to do. Plain English.
+    void showUwbSaved(bool saved, const QString& sentence);
+    /// What became of an import that failed, or of an export. Plain English.
+    void showUwbNote(agv::EventLevel level, const QString& sentence);
+    /// Answers surveyAnchorsRequested().
+    void showAnchorSurvey(const agv::AnchorSurvey& survey);
+    /// Answers serialPortsRequested().
+    void showSerialPorts(const std::vector<agv::SerialPortInfo>& ports);
+
 signals:
     void openReaderRequested(int robot);
     void openUwbRequested();
@@ -44,6 +61,23 @@ signals:
     void stopAllRequested();
     /// A trainer's command for the simulated plant (docs/simulated-plant.md).
     void simulationCommandRequested(const QString& command);
+
+    /// The operator edited, undid, redid, imported: this holds from now on.
+    void uwbEdited(const std::vector<agv::UwbAnchor>& anchors, const agv::UwbSettings& settings);
+    void importUwbRequested(const QString& path);
+    void exportUwbRequested(const QString& path, const std::vector<agv::UwbAnchor>& anchors,
+                            const agv::UwbSettings& settings);
+    /// Into the plant file; answered by showUwbSaved().
+    void saveUwbRequested(const std::vector<agv::UwbAnchor>& anchors, const agv::UwbSettings& settings);
+    /// The tag stands at this point (plant frame, m); its progress is in UwbSnapshot::calibration.
+    void startRangeCalibrationRequested(int tag, double x_m, double y_m, double z_m, double seconds);
+    void cancelRangeCalibrationRequested();
+    void surveyAnchorsRequested(); ///< answered by showAnchorSurvey()
+    void serialPortsRequested();   ///< answered by showSerialPorts()
+    /// Besides uwbEdited(), which carries the choice too.
+    void uwbPortChosen(const agv::SerialPortChoice& port, std::optional<agv::UwbDialect> dialect);
+    void
+    askUwbRequested(); ///< ask the unit for its version and configuration; the answer is in UwbSnapshot::unit
 
 protected:
     void closeEvent(QCloseEvent* event) override;

@@ -3,6 +3,7 @@
 
 #include "gui/cell_delegates.h"
 #include "gui/glyphs.h"
+#include "gui/hint_table_view.h"
 #include "gui/next_step.h"
 #include "gui/shortcut_dialog.h"
 #include "model/messages.h"
@@ -22,7 +23,7 @@ using model::Words;
 
 namespace {
 
-constexpr int layoutVersion = 1; ///< raised when docks or tool bars change their names
+constexpr int layoutVersion = 2; ///< raised when docks or tool bars change their names
 
 } // namespace
 
@@ -36,6 +37,8 @@ void MainWindow::Private::build(const PlantLayout& described)
     ui.nextStepLabel->hide();
     ui.map->setPlant(plant);
     ui.calibration->setPlant(plant);
+    uwb = std::make_unique<UwbScreens>(ui, q);
+    uwb->setPlant(plant);
     addVehicleActions(plant);
     ui.map->setSelectedRobot(ui.calibration->robot());
     q->setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
@@ -69,7 +72,7 @@ void MainWindow::Private::build(const PlantLayout& described)
     ui.statusBar->addWidget(plantLabel);
     ui.statusBar->addWidget(listeningLabel);
     ui.statusBar->addPermanentWidget(pointerLabel);
-    for (QDockWidget* dock : {ui.linksDock, ui.calibrationDock, ui.eventsDock})
+    for (QDockWidget* dock : docks())
         ui.panelMenu->addAction(dock->toggleViewAction());
     for (QAction* action : {ui.gridAction, ui.tagsAction, ui.stationsAction})
         action->setChecked(true);
@@ -187,6 +190,7 @@ void MainWindow::Private::applyTheme()
     ui.links->setTheme(theme);
     ui.calibration->setTheme(theme);
     ui.events->setTheme(theme);
+    uwb->setTheme(theme);
     const std::pair<QAction*, Glyph> icons[] = {
         {ui.fitAction, Glyph::Fit},         {ui.zoomInAction, Glyph::ZoomIn},
         {ui.zoomOutAction, Glyph::ZoomOut}, {ui.zoomToAction, Glyph::ZoomTo},
@@ -231,39 +235,53 @@ void MainWindow::Private::addVehicleActions(const PlantLayout& layout)
 
 void MainWindow::Private::focusNextPanel()
 {
+    const auto field = [](const QWidget* panel, const char* name) {
+        return panel->findChild<QWidget*>(QString::fromLatin1(name));
+    };
+    // Each with the first of its fields that takes the keyboard; the map takes it itself.
+    const std::pair<QWidget*, QWidget*> panels[] = {{ui.map, ui.map},
+                                                    {ui.links, field(ui.links, "linkTable")},
+                                                    {ui.calibration, field(ui.calibration, "robotCombo")},
+                                                    {ui.events, field(ui.events, "table")},
+                                                    {ui.anchors, ui.anchors->table()},
+                                                    {ui.uwbTags, ui.uwbTags->table()}};
     const QWidget* focus = QApplication::focusWidget();
-    const QList<QWidget*> panels{ui.map, ui.links, ui.calibration, ui.events};
-    qsizetype current = -1;
-    for (qsizetype i = 0; i < panels.size(); ++i) {
-        if (focus && (panels[i] == focus || panels[i]->isAncestorOf(focus)))
+    const std::size_t count = std::size(panels);
+    std::size_t current = count - 1;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (focus && (panels[i].first == focus || panels[i].first->isAncestorOf(focus)))
             current = i;
     }
-    for (qsizetype step = 1; step <= panels.size(); ++step) {
-        QWidget* panel = panels[(current + step) % panels.size()];
-        if (!panel->isVisible())
+    for (std::size_t step = 1; step <= count; ++step) {
+        const auto& [panel, target] = panels[(current + step) % count];
+        // A dock behind another one counts as visible, but nothing of it is to be seen.
+        if (!panel->isVisible() || panel->visibleRegion().isEmpty())
             continue;
-        // The first field of the panel that takes the keyboard; the map takes it itself.
-        QWidget* target = panel == ui.map           ? panel
-                          : panel == ui.links       ? panel->findChild<QWidget*>(QStringLiteral("linkTable"))
-                          : panel == ui.calibration ? panel->findChild<QWidget*>(QStringLiteral("robotCombo"))
-                                                    : panel->findChild<QWidget*>(QStringLiteral("table"));
         target->setFocus(Qt::ShortcutFocusReason);
         return;
     }
 }
 
+QList<QDockWidget*> MainWindow::Private::docks() const
+{
+    return {ui.linksDock, ui.calibrationDock, ui.eventsDock, ui.anchorsDock, ui.tagsDock};
+}
+
 void MainWindow::Private::resetLayout()
 {
-    for (QDockWidget* dock : {ui.linksDock, ui.calibrationDock, ui.eventsDock}) {
+    for (QDockWidget* dock : docks()) {
         dock->setFloating(false);
         dock->show();
     }
     q->addDockWidget(Qt::LeftDockWidgetArea, ui.linksDock);
     q->addDockWidget(Qt::RightDockWidgetArea, ui.calibrationDock);
     q->addDockWidget(Qt::BottomDockWidgetArea, ui.eventsDock);
+    q->tabifyDockWidget(ui.eventsDock, ui.anchorsDock);
+    q->tabifyDockWidget(ui.anchorsDock, ui.tagsDock);
+    ui.eventsDock->raise();
     const int em = q->fontMetrics().horizontalAdvance(QLatin1Char('0'));
     q->resizeDocks({ui.linksDock, ui.calibrationDock}, {45 * em, 52 * em}, Qt::Horizontal);
-    q->resizeDocks({ui.eventsDock}, {10 * q->fontMetrics().height()}, Qt::Vertical);
+    q->resizeDocks({ui.eventsDock}, {13 * q->fontMetrics().height()}, Qt::Vertical);
 }
 
 void MainWindow::Private::restoreLayout()
@@ -344,7 +362,7 @@ void MainWindow::Private::updateLayers()
 
 void MainWindow::Private::retranslate()
 {
-    q->setWindowTitle(plantName.isEmpty() ? tr("AGV Console") : tr("%1 – AGV Console").arg(plantName));
+    q->setWindowTitle(plantName.isEmpty() ? tr("AGV Console[*]") : tr("%1[*] – AGV Console").arg(plantName));
     plantLabel->setText(tr("Plant: %1").arg(plantName));
     plantLabel->setVisible(!plantName.isEmpty());
     stopAllButton->setText(tr("Stop all"));
@@ -353,6 +371,7 @@ void MainWindow::Private::retranslate()
     stopAllButton->setToolTip(tip);
     stopAllButton->setAccessibleName(tr("Stop all"));
     stopAllButton->setAccessibleDescription(tip);
+    uwb->retranslate();
     showTrouble(trouble, troubleReason);
 }
 

@@ -8,6 +8,7 @@
 #include "gui/shift_log.h"
 #include "gui/stop_key_filter.h"
 #include "gui/theme.h"
+#include "gui/uwb_screens.h"
 #include "ui_main_window.h"
 
 namespace agv::gui {
@@ -28,6 +29,7 @@ public:
     void applyTheme();
     void onPaletteChange();
 
+    QList<QDockWidget*> docks() const; ///< in the order of the menu
     void resetLayout();
     void restoreLayout();
     void saveLayout() const;
@@ -43,6 +45,7 @@ public:
 
     MainWindow* q;
     Ui::MainWindow ui;
+    std::unique_ptr<UwbScreens> uwb;
     Theme theme = Theme::light();
     Appearance appearance = Appearance::System;
     StopKeyFilter* stopKeys = nullptr;

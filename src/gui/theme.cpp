@@ -137,6 +137,9 @@ QMenu::item:selected { background: @selection; }
 QMenu::item:disabled { color: @disabledText; }
 QMenu::separator { height: 1px; background: @border; margin: 4px 8px; }
 QToolBar { background: @panel; border: none; border-bottom: 1px solid @border; padding: 5px 8px; spacing: 4px; }
+QToolBar#uwbBar { border: none; padding: 2px 0px; spacing: 2px; }
+QToolBar#uwbBar QToolButton { padding: 3px 8px; }
+QToolBar#uwbBar QToolBarExtension { padding: 0px; border: 1px solid @border; border-radius: 4px; }
 QToolBar::separator { width: 1px; background: @border; margin: 4px 6px; }
 QToolButton { border: 1px solid transparent; border-radius: 6px; padding: 5px 8px; background: transparent; }
 QToolButton:hover { background: @sunken; border-color: @border; }
@@ -193,6 +196,9 @@ QTableView::item:selected { background: @selection; color: @text; }
 QHeaderView { background: @panel; }
 QHeaderView::section { background: @panel; color: @mutedText; border: none; border-bottom: 1px solid @border;
     padding: 4px 6px; font-weight: 400; }
+QTableCornerButton::section { background: @panel; border: none; border-bottom: 1px solid @border; }
+QProgressBar { background: @sunken; border: 1px solid @border; border-radius: 3px; max-height: 6px; min-height: 6px; }
+QProgressBar::chunk { background: @accent; border-radius: 2px; }
 QTabWidget::pane { border: none; }
 QTabBar::tab { background: transparent; color: @mutedText; padding: 6px 12px; border: none;
     border-bottom: 2px solid transparent; }

@@ -4,6 +4,7 @@
 #include "gui/main_window.h"
 #include "gui/scenes.h"
 #include "gui/theme.h"
+#include "gui/uwb_gallery.h"
 
 #include <QAction>
 #include <QApplication>
@@ -82,6 +83,12 @@ int main(int argc, char** argv)
                 .arg(folder, QString::fromLatin1(scene.name),
                      dark ? QStringLiteral("dark") : QStringLiteral("light"), size.value(0), locale.name());
         window.grab().save(file);
+    }
+    if (arguments.size() <= 5 || arguments[5] == QLatin1String("uwb")) {
+        const QString suffix =
+            QStringLiteral("%1-%2-%3")
+                .arg(dark ? QStringLiteral("dark") : QStringLiteral("light"), size.value(0), locale.name());
+        saveUwbPictures(folder, suffix, QSize(size.value(0).toInt(), size.value(1).toInt()));
     }
     return 0;
 }

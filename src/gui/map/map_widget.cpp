@@ -49,6 +49,13 @@ void MapWidget::setPlant(const PlantLayout& plant)
     fit();
 }
 
+void MapWidget::setUwbAnchors(const std::vector<UwbAnchor>& anchors)
+{
+    m_plant.anchors = anchors;
+    m_static.setPlant(&m_plant);
+    update();
+}
+
 void MapWidget::setTheme(const Theme& theme)
 {
     m_theme = theme;

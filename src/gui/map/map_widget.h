@@ -22,6 +22,8 @@ public:
     explicit MapWidget(QWidget* parent = nullptr);
 
     void setPlant(const PlantLayout& plant);
+    /// Anchors that stand elsewhere now; the view stays.
+    void setUwbAnchors(const std::vector<UwbAnchor>& anchors);
     void setTheme(const Theme& theme);
     void showSnapshot(const PlantSnapshot& snapshot);
     void setSelectedRobot(int robot);
