@@ -569,10 +569,6 @@
         <translation>&amp;Exportieren…</translation>
     </message>
     <message>
-        <source>Write anchors and tags to a file</source>
-        <translation>Anker und Tags in eine Datei schreiben</translation>
-    </message>
-    <message>
         <source>&amp;Save to plant file</source>
         <translation>In Anlagendatei &amp;speichern</translation>
     </message>
@@ -587,6 +583,10 @@
     <message>
         <source>Choose the serial port of the UWB unit, and how the unit writes</source>
         <translation>Den seriellen Port der UWB-Einheit wählen, und wie sie schreibt</translation>
+    </message>
+    <message>
+        <source>Write the anchors to a file</source>
+        <translation>Die Anker in eine Datei schreiben</translation>
     </message>
 </context>
 <context>
@@ -1583,10 +1583,6 @@ x %3, y %4, Höhe %5</translation>
         <translation>Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Export anchors and tags</source>
-        <translation>Anker und Tags exportieren</translation>
-    </message>
-    <message>
         <source>Anchor list (*.csv)</source>
         <translation>Ankerliste (*.csv)</translation>
     </message>
@@ -1617,6 +1613,18 @@ x %3, y %4, Höhe %5</translation>
     <message>
         <source>In use, but not saved: lost when the console ends.</source>
         <translation>Gilt schon, ist aber nicht gespeichert: geht mit dem Ende der Konsole verloren.</translation>
+    </message>
+    <message>
+        <source>In use until the console ends: this plant has no file. Export keeps the anchors.</source>
+        <translation>Gilt, bis die Konsole endet: Diese Anlage hat keine Datei. Exportieren bewahrt die Anker auf.</translation>
+    </message>
+    <message>
+        <source>Export anchors</source>
+        <translation>Anker exportieren</translation>
+    </message>
+    <message>
+        <source>Anchors of DecaRangeRTLS (*.xml)</source>
+        <translation>Anker von DecaRangeRTLS (*.xml)</translation>
     </message>
 </context>
 <context>
@@ -2524,6 +2532,34 @@ x %3, y %4, Höhe %5</translation>
     <message>
         <source>%1 bad field</source>
         <translation>%1 falsches Feld</translation>
+    </message>
+    <message>
+        <source>Left out: %1 more</source>
+        <translation>Weggelassen: %1 weitere</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>Weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>The file has no heights: the new tags have %1 mm until you enter their own</source>
+        <translation>Die Datei hat keine Höhen: Die neuen Tags haben %1 mm, bis Sie ihre eigene eingeben</translation>
+    </message>
+    <message>
+        <source>Anchors and the corrections of the tags 0 to 7 are written to %1</source>
+        <translation>Die Anker und die Korrekturen der Tags 0 bis 7 stehen in %1</translation>
+    </message>
+    <message>
+        <source>Anchors are written to %1; tags and corrections have no place in that format</source>
+        <translation>Die Anker stehen in %1; für Tags und Korrekturen hat dieses Format keinen Platz</translation>
+    </message>
+    <message>
+        <source>Saved to %1</source>
+        <translation>Gespeichert in %1</translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation>Nicht gespeichert: %1</translation>
     </message>
 </context>
 <context>

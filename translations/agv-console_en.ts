@@ -569,10 +569,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Write anchors and tags to a file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>&amp;Save to plant file</source>
         <translation type="unfinished"></translation>
     </message>
@@ -586,6 +582,10 @@
     </message>
     <message>
         <source>Choose the serial port of the UWB unit, and how the unit writes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the anchors to a file</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1578,10 +1578,6 @@ x %3, y %4, height %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Export anchors and tags</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Anchor list (*.csv)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1611,6 +1607,18 @@ x %3, y %4, height %5</source>
     </message>
     <message>
         <source>In use, but not saved: lost when the console ends.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In use until the console ends: this plant has no file. Export keeps the anchors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export anchors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchors of DecaRangeRTLS (*.xml)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2518,6 +2526,34 @@ x %3, y %4, height %5</source>
     </message>
     <message>
         <source>%1 bad field</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left out: %1 more</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file has no heights: the new tags have %1 mm until you enter their own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchors and the corrections of the tags 0 to 7 are written to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchors are written to %1; tags and corrections have no place in that format</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Saved to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -7,6 +7,7 @@
 #include "app/signal_watch.h"
 #include "app/simulated_plant.h"
 #include "app/sleeptime_file.h"
+#include "app/uwb_requests.h"
 #include "gui/application_setup.h"
 #include "gui/main_window.h"
 #include "gui/plant_file_dialog.h"
@@ -18,6 +19,7 @@
 #include <clocale>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -77,8 +79,6 @@ void wire(gui::MainWindow& window, session::Session& session)
     using session::Session;
     QObject::connect(&window, &MainWindow::openReaderRequested, &session, &Session::openReader);
     QObject::connect(&window, &MainWindow::closeReaderRequested, &session, &Session::closeReader);
-    QObject::connect(&window, &MainWindow::openUwbRequested, &session, &Session::openUwb);
-    QObject::connect(&window, &MainWindow::closeUwbRequested, &session, &Session::closeUwb);
     QObject::connect(&window, &MainWindow::startTurnRequested, &session, &Session::startTurn);
     QObject::connect(&window, &MainWindow::abortTurnRequested, &session,
                      [&session](int robot) { session.abortTurn(robot, "The operator aborted it"); });
@@ -111,6 +111,7 @@ public:
         else
             startConsole();
         const int status = QCoreApplication::exec();
+        m_uwbRequests.reset();
         m_session.reset(); // stops the robots before the simulated ones vanish
         m_window.reset();
         return status;
@@ -142,6 +143,7 @@ private:
             m_plant.layout, session::SessionOptions{m_arguments.plant.simulate, m_arguments.plant.seed});
         session::Session* session = m_session->session();
         wire(*m_window, *session);
+        m_uwbRequests = std::make_unique<UwbRequests>(*m_window, *session, m_plant.layout, fileForEdits());
         if (m_simulated) {
             QObject::connect(m_window.get(), &gui::MainWindow::simulationCommandRequested, m_simulated.get(),
                              [this](const QString& command) { m_simulated->command(command.toUtf8()); });
@@ -163,6 +165,14 @@ private:
                                       [session, robot = agv.id.number] { session->openReader(robot); });
         QMetaObject::invokeMethod(session, &session::Session::openUwb);
         m_window->show();
+    }
+
+    /// Of a simulated plant nothing is kept.
+    std::optional<std::filesystem::path> fileForEdits() const
+    {
+        const PlantChoice& plant = m_arguments.plant;
+        return plant.simulate || !plant.plantFile ? std::nullopt
+                                                  : std::optional<std::filesystem::path>(*plant.plantFile);
     }
 
     /// Into the plant file, if there is one for a real plant; the operator sees where it went.
@@ -198,6 +208,7 @@ private:
     std::unique_ptr<SimulatedPlant> m_simulated;
     std::unique_ptr<gui::MainWindow> m_window;
     std::unique_ptr<SessionThread> m_session;
+    std::unique_ptr<UwbRequests> m_uwbRequests;
 };
 
 } // namespace

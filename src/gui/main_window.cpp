@@ -72,6 +72,8 @@ void MainWindow::takeImportedUwb(const std::vector<UwbAnchor>& anchors, const Uw
     d->uwb->takeImported(anchors, settings, notes);
 }
 
+void MainWindow::setUwbSavable(bool savable) { d->uwb->setSavable(savable); }
+
 void MainWindow::showUwbSaved(bool saved, const QString& sentence) { d->uwb->showSaved(saved, sentence); }
 
 void MainWindow::showUwbNote(EventLevel level, const QString& sentence) { d->uwb->showNote(level, sentence); }

@@ -37,6 +37,9 @@ public slots:
     /// English.
     void takeImportedUwb(const std::vector<agv::UwbAnchor>& anchors, const agv::UwbSettings& settings,
                          const QStringList& notes);
+    /// False: this plant has no file, so edits of the UWB kit hold for this session, and the window says so
+    /// instead of asking. At first true.
+    void setUwbSavable(bool savable);
     /// Answers saveUwbRequested(): where it went, or why it was not saved and what to do. Plain English.
     void showUwbSaved(bool saved, const QString& sentence);
     /// What became of an import that failed, or of an export. Plain English.

@@ -65,7 +65,7 @@ void UwbScreens::connectModels()
     connect(&m_editor, &UwbEditor::edited, this, &UwbScreens::onEdited);
     connect(&m_editor, &UwbEditor::edited, m_window, &MainWindow::uwbEdited);
     connect(&m_editor, &UwbEditor::unsavedChanged, this, [this](bool unsaved) {
-        m_window->setWindowModified(unsaved);
+        m_window->setWindowModified(unsaved && m_isSavable);
         showState();
     });
 }
@@ -163,6 +163,12 @@ void UwbScreens::retranslate()
         table->horizontalHeader()->viewport()->update();
 }
 
+void UwbScreens::setSavable(bool savable)
+{
+    m_isSavable = savable;
+    showState();
+}
+
 void UwbScreens::updateHints()
 {
     m_ui.anchors->table()->setHint(tr(
@@ -185,7 +191,7 @@ void UwbScreens::updateActions()
     for (int row : m_ui.uwbTags->chosenRows())
         listed = listed || m_tags.index(row, 0).data(UwbTagTableModel::ListedRole).toBool();
     m_ui.removeTagAction->setEnabled(listed);
-    m_ui.saveUwbAction->setEnabled(m_editor.hasUnsavedEdits() && !m_saving);
+    m_ui.saveUwbAction->setEnabled(m_isSavable && m_editor.hasUnsavedEdits() && !m_saving);
 }
 
 void UwbScreens::setPanelNotes(const QString& text, bool isWarning)
@@ -199,7 +205,9 @@ void UwbScreens::showState()
     updateActions();
     if (!m_editor.hasUnsavedEdits())
         return setPanelNotes({}, false);
-    setPanelNotes(tr("In use, but not saved: lost when the console ends."), false);
+    setPanelNotes(m_isSavable ? tr("In use, but not saved: lost when the console ends.")
+                              : tr("In use until the console ends: this plant has no file. Export keeps the anchors."),
+                  false);
 }
 
 void UwbScreens::removeChosenAnchors()

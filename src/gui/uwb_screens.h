@@ -48,6 +48,9 @@ public:
     void showSurvey(const AnchorSurvey& survey);
     void showPorts(const std::vector<SerialPortInfo>& ports);
 
+    /// False: edits hold for this session only; nothing asks about them.
+    void setSavable(bool savable);
+
     UwbEditor& editor() { return m_editor; }
     /// True when the window may close now. Else the operator is asked about unsaved edits, and the window is
     /// closed again after the answer.
@@ -87,6 +90,7 @@ private:
     std::optional<UwbEditor::Kit> m_saving; ///< what saveUwbRequested() carried, until it is answered
     bool m_closeWhenSaved = false;
     bool m_discardEdits = false;
+    bool m_isSavable = true;
     QPointer<CorrectionDialog> m_corrections;
     QPointer<RangeCalibrationDialog> m_calibration;
     QPointer<AnchorSurveyDialog> m_survey;

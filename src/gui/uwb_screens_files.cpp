@@ -132,12 +132,16 @@ void UwbScreens::importFile()
 
 void UwbScreens::exportFile()
 {
-    auto* dialog = new QFileDialog(m_window, tr("Export anchors and tags"));
+    auto* dialog = new QFileDialog(m_window, tr("Export anchors"));
     dialog->setObjectName(QStringLiteral("exportUwbDialog"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters({tr("Anchor list (*.csv)"), tr("All files (*)")});
+    dialog->setNameFilters({tr("Anchor list (*.csv)"), tr("Anchors of DecaRangeRTLS (*.xml)"), tr("All files (*)")});
     dialog->setDefaultSuffix(QStringLiteral("csv"));
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+        dialog->setDefaultSuffix(filter.contains(QLatin1String("*.xml")) ? QStringLiteral("xml")
+                                                                        : QStringLiteral("csv"));
+    });
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         emit m_window->exportUwbRequested(path, m_editor.anchors(), m_editor.settings());
     });
@@ -182,7 +186,7 @@ void UwbScreens::showNote(EventLevel level, const QString& sentence)
 
 bool UwbScreens::mayClose()
 {
-    if (!m_editor.hasUnsavedEdits() || m_discardEdits)
+    if (!m_isSavable || !m_editor.hasUnsavedEdits() || m_discardEdits)
         return true;
     if (m_window->findChild<QMessageBox*>(QStringLiteral("unsavedUwbBox")))
         return false;

@@ -11,7 +11,7 @@ namespace agv::estimation {
 
 namespace {
 
-constexpr int kReweightings = 10;
+constexpr int kBiasReweightings = 10;
 /// Places beyond this many sds weigh less (Huber).
 constexpr double kHuber = 1.5;
 constexpr double kSdOfMad = 1.4826;
@@ -50,7 +50,7 @@ struct Row {
 Eigen::VectorXd solveRows(const std::vector<Row>& rows, const Eigen::VectorXd& prior, double placeSd_m)
 {
     Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(prior.size());
-    for (int k = 0; k < kReweightings; ++k) {
+    for (int k = 0; k < kBiasReweightings; ++k) {
         Eigen::MatrixXd information = prior.asDiagonal();
         Eigen::VectorXd right = Eigen::VectorXd::Zero(prior.size());
         for (const Row& row : rows) {
