@@ -17,9 +17,9 @@ constexpr const char* plantWithAComment = R"({
   "size": {"width_mm": 9000, "height_mm": 6000},
   "floor_tags": {"grid": {"columns": 3, "rows": 3, "pitch_mm": 100, "first_uid": "E00401503B000001"}},
   "agvs": [{"id": 1, "reader": "127.0.0.2:8883", "painted": "red"}],
+  "anchors": [{"id": 0, "label": "North", "x_mm": 0, "y_mm": 0, "z_mm": 2000},
+              {"id": 5, "label": "East", "x_mm": 4000, "y_mm": 0, "z_mm": 2000}],
   "uwb": {"port": "/dev/ttyACM7",
-          "anchors": [{"id": 0, "label": "North", "x_mm": 0, "y_mm": 0, "z_mm": 2000},
-                      {"id": 5, "label": "East", "x_mm": 4000, "y_mm": 0, "z_mm": 2000}],
           "tags": [{"id": 2, "label": "Cart", "agv": 1, "z_mm": 450}],
           "corrections": [{"anchor": 0, "tag": 2, "offset_mm": 35}, {"anchor": 5, "tag": 9, "offset_mm": -20}]}
 })";
@@ -97,17 +97,11 @@ TEST_F(UwbKitFiles, TheTagsOfTheExistingProgramGiveLabelsAndAreAddedWithTheUsual
 
 TEST_F(UwbKitFiles, APlantFileBringsItsKitButNotItsPort)
 {
-    PlantLayout other;
-    other.uwb.port.path = "/dev/ttyUSB1";
-    other.agvs = plant.agvs;
-    other.width_m = other.height_m = 10.0;
-    const auto kit = importUwb(file("plant.json", plantWithAComment), plant);
-    ASSERT_TRUE(kit) << kit.error().detail;
     PlantLayout here = plant;
     here.anchors.clear();
     here.uwb = {};
     here.uwb.port.path = "/dev/ttyUSB1";
-    const auto imported = importUwb(folder / "plant.json", here);
+    const auto imported = importUwb(file("plant.json", plantWithAComment), here);
     ASSERT_TRUE(imported) << imported.error().detail;
     EXPECT_EQ(imported->anchors, plant.anchors);
     EXPECT_EQ(imported->settings.corrections, plant.uwb.corrections);
