@@ -90,9 +90,10 @@ void UwbRequests::save(const std::vector<UwbAnchor>& anchors, const UwbSettings&
     if (!m_plantFile)
         return m_window.showUwbSaved(false, QStringLiteral("Not saved: there is no plant file"));
     const Result<void> saved = saveUwb(*m_plantFile, anchors, settings);
-    m_window.showUwbSaved(saved.has_value(),
-                          saved ? QStringLiteral("Saved to %1").arg(QString::fromStdString(m_plantFile->string()))
-                                : QStringLiteral("Not saved: %1").arg(QString::fromStdString(saved.error().detail)));
+    m_window.showUwbSaved(
+        saved.has_value(),
+        saved ? QStringLiteral("Saved to %1").arg(QString::fromStdString(m_plantFile->string()))
+              : QStringLiteral("Not saved: %1").arg(QString::fromStdString(saved.error().detail)));
 }
 
 } // namespace agv::app

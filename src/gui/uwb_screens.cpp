@@ -205,9 +205,10 @@ void UwbScreens::showState()
     updateActions();
     if (!m_editor.hasUnsavedEdits())
         return setPanelNotes({}, false);
-    setPanelNotes(m_isSavable ? tr("In use, but not saved: lost when the console ends.")
-                              : tr("In use until the console ends: this plant has no file. Export keeps the anchors."),
-                  false);
+    setPanelNotes(
+        m_isSavable ? tr("In use, but not saved: lost when the console ends.")
+                    : tr("In use until the console ends: this plant has no file. Export keeps the anchors."),
+        false);
 }
 
 void UwbScreens::removeChosenAnchors()

@@ -136,11 +136,12 @@ void UwbScreens::exportFile()
     dialog->setObjectName(QStringLiteral("exportUwbDialog"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilters({tr("Anchor list (*.csv)"), tr("Anchors of DecaRangeRTLS (*.xml)"), tr("All files (*)")});
+    dialog->setNameFilters(
+        {tr("Anchor list (*.csv)"), tr("Anchors of DecaRangeRTLS (*.xml)"), tr("All files (*)")});
     dialog->setDefaultSuffix(QStringLiteral("csv"));
     connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
         dialog->setDefaultSuffix(filter.contains(QLatin1String("*.xml")) ? QStringLiteral("xml")
-                                                                        : QStringLiteral("csv"));
+                                                                         : QStringLiteral("csv"));
     });
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         emit m_window->exportUwbRequested(path, m_editor.anchors(), m_editor.settings());

@@ -24,7 +24,7 @@ struct ServerOptions {
     std::optional<Endpoint> console; ///< where the robots connect; empty: the plant file's robotListen
     std::optional<std::uint16_t> telemetryPort; ///< empty: the plant file's
     std::optional<std::string> uwbLink = {};    ///< symbolic link to the UWB port, which has another path at
-                                             ///< each plugging
+                                                ///< each plugging
     UwbDialect uwbDialect = UwbDialect::Trek;
     bool uwbFast = true; ///< 10 reports a second and tag, else 3.57
 };

@@ -10,9 +10,9 @@
 namespace agv::simserver {
 namespace {
 
-constexpr std::size_t clientLimit = 2;        // MAX_SRV_CLIENTS, seed, appendix M
-constexpr std::size_t serialBufferSize = 256; // SoftwareSerial RFID(14, 12, false, 256), ibid.
-constexpr qint64 readerBacklogLimit = 64 * 1024;    // a client that does not read is dropped
+constexpr std::size_t clientLimit = 2;           // MAX_SRV_CLIENTS, seed, appendix M
+constexpr std::size_t serialBufferSize = 256;    // SoftwareSerial RFID(14, 12, false, 256), ibid.
+constexpr qint64 readerBacklogLimit = 64 * 1024; // a client that does not read is dropped
 
 QString peerOf(const QTcpSocket& socket)
 {

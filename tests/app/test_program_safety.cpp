@@ -20,8 +20,8 @@
 namespace agv::session {
 namespace {
 
-/// Below the range from which the system takes the ports of outgoing connections: one of those, such as another
-/// robot's knock, might hold the port by the time the program listens.
+/// Below the range from which the system takes the ports of outgoing connections: one of those, such as
+/// another robot's knock, might hold the port by the time the program listens.
 quint16 freePort()
 {
     static QSet<quint16> given;

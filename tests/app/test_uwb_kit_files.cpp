@@ -67,10 +67,11 @@ TEST_F(UwbKitFiles, ATableReplacesTheAnchorsAndTheCorrectionsOfThoseThatAreGone)
 
 TEST_F(UwbKitFiles, TheAnchorsOfTheExistingProgramBringTheirCorrectionsAndLeaveThoseOfOtherTags)
 {
-    const auto kit = importUwb(
-        file("TREKanc_config.xml", "<config>\n<anc ID=\"0\" label=\"\" x=\"0\" y=\"0\" z=\"2\" t0=\"3\"/>\n"
-                                   "<anc ID=\"5\" label=\"E\" x=\"4\" y=\"0\" z=\"2\"/>\n<anc ID=\"x\"/>\n</config>\n"),
-        plant);
+    const auto kit =
+        importUwb(file("TREKanc_config.xml",
+                       "<config>\n<anc ID=\"0\" label=\"\" x=\"0\" y=\"0\" z=\"2\" t0=\"3\"/>\n"
+                       "<anc ID=\"5\" label=\"E\" x=\"4\" y=\"0\" z=\"2\"/>\n<anc ID=\"x\"/>\n</config>\n"),
+                  plant);
     ASSERT_TRUE(kit) << kit.error().detail;
     ASSERT_EQ(kit->anchors.size(), 2U);
     EXPECT_EQ(kit->settings.corrections, (std::vector<RangeCorrection>{{5, 9, -0.02}, {0, 0, 0.03}}));

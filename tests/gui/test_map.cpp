@@ -324,7 +324,8 @@ void MapTest::detailsNameTheUwbTagAndItsUncertainty()
     const auto map = shownMap();
     map->showSnapshot(withUwbTag(Point2{1.23, 2.34}));
     const QString details = map->detailsAt(map->viewport().toPixels(Point2{1.23, 2.34}));
-    for (const char* text : {"UWB tag 5", "On AGV 1", "49\u00a0mm by 24\u00a0mm", "4 ranges, 1 of them obstructed"})
+    for (const char* text :
+         {"UWB tag 5", "On AGV 1", "49\u00a0mm by 24\u00a0mm", "4 ranges, 1 of them obstructed"})
         QVERIFY2(details.contains(QString::fromUtf8(text)), qPrintable(details));
     map->showSnapshot(withUwbTag({}));
     QVERIFY(!map->detailsAt(map->viewport().toPixels(Point2{1.23, 2.34})).contains("UWB tag"));
@@ -338,7 +339,8 @@ void MapTest::detailsNameTheUwbAnchorsThatAreShown()
     map.resize(900, 700);
     map.setPlant(plant);
     const QString details = map.detailsAt(map.viewport().toPixels(Point2{1.0, 1.0}));
-    QVERIFY2(details.contains("UWB anchor 7, North") && details.contains(QStringLiteral("500\u00a0mm")), qPrintable(details));
+    QVERIFY2(details.contains("UWB anchor 7, North") && details.contains(QStringLiteral("500\u00a0mm")),
+             qPrintable(details));
     QVERIFY(!map.detailsAt(map.viewport().toPixels(Point2{2.0, 2.0})).contains("UWB anchor"));
 }
 

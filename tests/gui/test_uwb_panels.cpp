@@ -38,6 +38,7 @@ private slots:
     void anEditDuringASaveStaysUnsaved();
     void closingWithUnsavedEditsAsks();
     void closingCanSaveFirst();
+    void withoutAPlantFileNothingIsSavedOrAskedAndTheNoteSaysSo();
     void aFailedSaveKeepsTheWindowOpen();
     void filesAreChosenInADialog();
     void thePanelsAreInTheViewMenuAndTheSavedLayout();
@@ -264,6 +265,17 @@ void UwbPanelTest::closingWithUnsavedEditsAsks()
     QVERIFY(!m_window->close());
     click("discardAndCloseButton");
     QVERIFY(!m_window->isVisible());
+}
+
+void UwbPanelTest::withoutAPlantFileNothingIsSavedOrAskedAndTheNoteSaysSo()
+{
+    openRunning();
+    m_window->setUwbSavable(false);
+    trigger("addAnchorAction");
+    QVERIFY(!find<QAction>("saveUwbAction")->isEnabled());
+    QVERIFY(!m_window->isWindowModified());
+    QVERIFY2(note("anchorsDock").contains("until the console ends"), qPrintable(note("anchorsDock")));
+    QVERIFY(m_window->close());
 }
 
 void UwbPanelTest::closingCanSaveFirst()
