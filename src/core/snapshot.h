@@ -4,6 +4,7 @@
 #include "core/link_snapshot.h"
 #include "core/plant_layout.h"
 #include "core/robot_status.h"
+#include "core/tracked_pose.h"
 #include "core/turn.h"
 #include "core/uwb_snapshot.h"
 
@@ -53,8 +54,10 @@ struct AgvSnapshot {
     bool mayBeMoving = false;   ///< connection lost while the last command was not zero
     double turnTime_s = 1.125;  ///< sleeptime in use
     double turnSpeed_m_s = 0.1; ///< wheel speed of the next turn; the sleeptime is for this one
-    std::optional<Pose2> pose;  ///< last accepted or solved pose
+    std::optional<Pose2> pose;  ///< of now; empty before the first turn
     PoseCovariance covariance{};
+    PoseHealth poseHealth = PoseHealth::None;
+    std::string poseNote;             ///< why the pose is predicted or doubted, and what to do; plain English
     std::vector<TagRead> recentReads; ///< last second
     TurnSnapshot turn;
 };

@@ -52,6 +52,8 @@ struct TurnEvidence {
 /// Reads of one tag at one stop come through the same antenna position and the same metal nearby, so their
 /// errors are correlated; n of them count as n / (1 + (n - 1) rho) independent ones, at most 1 / rho.
 constexpr double kReadCorrelation = 0.5;
+/// Log odds of the commanded direction of the turn, 95 : 5; before any read.
+constexpr double kRotationPriorLogOdds = 3.0;
 
 /// Cleans a record. Reads with an RSSI outside 0..7 are ignored, tags without a place in the map are
 /// reported, tags read far from all others are set aside as misplaced. A stop without reads still speaks:

@@ -69,6 +69,16 @@ const char* const patterns[] = {
     QT_TRANSLATE_NOOP("agv::model::Messages", "The robot's program failed at %1, line %2"),
     QT_TRANSLATE_NOOP("agv::model::Messages", "Connected, but nothing heard for 5 s"),
     QT_TRANSLATE_NOOP("agv::model::Messages", "Waiting for the robot to connect: switch it on"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Its pose is doubted. %1"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "The floor tags it reads lie elsewhere: it was moved or slipped; calibrate it again"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "Its UWB tag is elsewhere: it was moved; calibrate it again"),
+    QT_TRANSLATE_NOOP("agv::model::Messages", "It drove by itself to dock or undock: calibrate it again"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "The link to the robot was lost while it drove: calibrate it again"),
+    QT_TRANSLATE_NOOP("agv::model::Messages",
+                      "Nothing measured for the last %1 mm of its way: the pose is what "
+                      "the commanded speeds make of it"),
     // procedure
     QT_TRANSLATE_NOOP("agv::model::Messages", "Stop %1 is read again"),
     QT_TRANSLATE_NOOP(

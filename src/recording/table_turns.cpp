@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t seedTagColumns = 7;
 
 /// The separator that the line has; a semicolon or tab is never part of a number, so they come first.
-std::optional<char> separatorOf(std::string_view line)
+std::optional<char> separatorIn(std::string_view line)
 {
     for (const char separator : {';', '\t', ','}) {
         if (line.find(separator) != std::string_view::npos)
@@ -29,7 +29,7 @@ std::optional<char> separatorOf(std::string_view line)
 /// Cells without blanks and quotes around them.
 std::vector<std::string_view> cellsOf(std::string_view line)
 {
-    const auto separator = separatorOf(line);
+    const auto separator = separatorIn(line);
     std::vector<std::string_view> cells;
     while (separator) {
         const std::size_t end = line.find(*separator);
@@ -49,7 +49,7 @@ bool isUid(std::string_view cell) { return cell.size() == 16 && parseTagUid(cell
 bool isNumberOrUid(std::string_view cell) { return parseInteger(cell) || isUid(cell); }
 
 /// A row of empty cells is a stop without reads; only a line without separators parts two tables.
-bool endsTable(std::string_view line) { return trimmed(line).empty() && !separatorOf(line); }
+bool endsTable(std::string_view line) { return trimmed(line).empty() && !separatorIn(line); }
 
 bool isTitleRow(const std::vector<std::string_view>& cells)
 {

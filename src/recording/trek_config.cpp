@@ -18,8 +18,8 @@ namespace agv::recording {
 namespace {
 
 constexpr int trekTags = 8;
-constexpr int mostId = 255; // as in a plant file
-constexpr double mostCoordinate_m = 1e3;
+constexpr int mostTrekId = 255; // as in a plant file
+constexpr double mostTrekCoordinate_m = 1e3;
 constexpr double mostCorrection_cm = 1e4;
 constexpr int mostHistory = 1'000'000;
 constexpr double largestTag_m = 1e3;
@@ -119,11 +119,11 @@ Result<TrekAnchorConfig> readTrekAnchorConfig(std::string_view text)
     for (const pugi::xml_node& element : root->children("anc")) {
         Attributes attributes(element);
         UwbAnchor anchor;
-        anchor.id = attributes.integer("ID", 10, mostId);
+        anchor.id = attributes.integer("ID", 10, mostTrekId);
         anchor.label = attributes.label("A" + std::to_string(anchor.id));
-        anchor.x = attributes.number("x", mostCoordinate_m);
-        anchor.y = attributes.number("y", mostCoordinate_m);
-        anchor.z = attributes.number("z", mostCoordinate_m);
+        anchor.x = attributes.number("x", mostTrekCoordinate_m);
+        anchor.y = attributes.number("y", mostTrekCoordinate_m);
+        anchor.z = attributes.number("z", mostTrekCoordinate_m);
         std::vector<RangeCorrection> corrections;
         for (int tag = 0; tag < trekTags; ++tag)
             if (const double cm = attributes.number(correctionName(tag).c_str(), mostCorrection_cm);
@@ -164,7 +164,7 @@ Result<TrekTagConfig> readTrekTagConfig(std::string_view text)
     }
     for (const pugi::xml_node& element : root->children("tag")) {
         Attributes attributes(element);
-        const int id = attributes.integer("ID", 16, mostId);
+        const int id = attributes.integer("ID", 16, mostTrekId);
         if (attributes.reason().empty())
             config.tags.push_back({id, attributes.label("Tag " + std::to_string(id))});
         else

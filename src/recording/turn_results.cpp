@@ -16,7 +16,7 @@ namespace agv::recording {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// A value of either format; empty: there is none.
 using Value = std::variant<std::monostate, double, std::string, std::vector<std::string>>;
@@ -39,7 +39,7 @@ Value flagsOf(const TurnEstimate& estimate)
 }
 
 /// The fields of a result, in the order of the columns.
-std::vector<Field> fieldsOf(const TurnResult& result)
+std::vector<Field> resultFieldsOf(const TurnResult& result)
 {
     const TurnEstimate& e = result.estimate;
     const auto ifValid = [&](double value) { return e.valid ? Value(value) : Value(); };
@@ -96,10 +96,10 @@ std::string csvText(const Value& value)
     return csvField(joined);
 }
 
-Json jsonFrom(const Value& value)
+OrderedJson jsonFrom(const Value& value)
 {
     if (const auto* number = std::get_if<double>(&value))
-        return std::isfinite(*number) ? Json(*number) : Json();
+        return std::isfinite(*number) ? OrderedJson(*number) : OrderedJson();
     if (const auto* text = std::get_if<std::string>(&value))
         return *text;
     if (const auto* words = std::get_if<std::vector<std::string>>(&value))
@@ -107,19 +107,19 @@ Json jsonFrom(const Value& value)
     return {};
 }
 
-Json uidsOf(const std::vector<TagUid>& tags)
+OrderedJson uidsOf(const std::vector<TagUid>& tags)
 {
-    Json list = Json::array();
+    OrderedJson list = OrderedJson::array();
     for (const TagUid uid : tags)
         list.push_back(fullText(uid));
     return list;
 }
 
-Json stopsOf(const TurnEstimate& estimate)
+OrderedJson stopsOf(const TurnEstimate& estimate)
 {
-    Json stops = Json::array();
+    OrderedJson stops = OrderedJson::array();
     for (const StopReport& stop : estimate.stops) {
-        const auto ifValid = [&](double value) { return estimate.valid ? jsonFrom(value) : Json(); };
+        const auto ifValid = [&](double value) { return estimate.valid ? jsonFrom(value) : OrderedJson(); };
         stops.push_back({{"antenna_x_mm", ifValid(mmFromMetres(stop.antenna.x))},
                          {"antenna_y_mm", ifValid(mmFromMetres(stop.antenna.y))},
                          {"antenna_bearing_deg", ifValid(degFromRad(stop.antennaBearing))},
@@ -134,14 +134,14 @@ Json stopsOf(const TurnEstimate& estimate)
 }
 
 /// Rows and columns x_mm, y_mm, heading_deg.
-Json covarianceOf(const TurnEstimate& estimate)
+OrderedJson covarianceOf(const TurnEstimate& estimate)
 {
     if (!estimate.valid)
         return {};
     const std::array<double, 3> scale{mmFromMetres(1.0), mmFromMetres(1.0), degFromRad(1.0)};
-    Json rows = Json::array();
+    OrderedJson rows = OrderedJson::array();
     for (std::size_t row = 0; row < 3; ++row) {
-        Json values = Json::array();
+        OrderedJson values = OrderedJson::array();
         for (std::size_t column = 0; column < 3; ++column)
             values.push_back(jsonFrom(estimate.covariance[3 * row + column] * scale[row] * scale[column]));
         rows.push_back(std::move(values));
@@ -164,7 +164,7 @@ TurnResult unreadableTurn(std::string id, SolveMethod method, std::string proble
 std::string csvHeader()
 {
     std::vector<std::string> names;
-    for (const Field& field : fieldsOf({}))
+    for (const Field& field : resultFieldsOf({}))
         names.emplace_back(field.name);
     return csvLine(names);
 }
@@ -172,20 +172,20 @@ std::string csvHeader()
 std::string csvRow(const TurnResult& result)
 {
     std::vector<std::string> texts;
-    for (const Field& field : fieldsOf(result))
+    for (const Field& field : resultFieldsOf(result))
         texts.push_back(csvText(field.value));
     return csvLine(texts);
 }
 
 std::string jsonLine(const TurnResult& result)
 {
-    Json json = Json::object();
-    for (const Field& field : fieldsOf(result))
+    OrderedJson json = OrderedJson::object();
+    for (const Field& field : resultFieldsOf(result))
         json[field.name] = jsonFrom(field.value);
     json["covariance"] = covarianceOf(result.estimate);
     json["stops"] = stopsOf(result.estimate);
     // Names of files need not be UTF-8; what is not becomes U+FFFD.
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 } // namespace agv::recording

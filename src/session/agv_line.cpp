@@ -12,8 +12,8 @@
 
 namespace agv::session {
 
-AgvLine::AgvLine(const AgvConfig& config, link::RobotServer& server, SolveFunction solve, SolveMethod method,
-                 EventLog& events, QObject* parent)
+AgvLine::AgvLine(const AgvConfig& config, const PlantLayout& plant, link::RobotServer& server,
+                 SolveFunction solve, SolveMethod method, EventLog& events, QObject* parent)
     : QObject(parent),
       m_config(config),
       m_label("AGV " + std::to_string(config.id.number)),
@@ -22,7 +22,8 @@ AgvLine::AgvLine(const AgvConfig& config, link::RobotServer& server, SolveFuncti
       m_robot(new RobotLink(config.id.number, server, this)),
       m_turn(new TurnRunner(*m_robot, std::move(solve), method, this)),
       m_turnTime_s(config.turnTime_s),
-      m_turnSpeed_m_s(config.turnSpeed_m_s)
+      m_turnSpeed_m_s(config.turnSpeed_m_s),
+      m_tracker(plant, config)
 {
     wireReader();
     wireRobot();
@@ -33,6 +34,7 @@ void AgvLine::wireReader()
 {
     connect(m_reader, &ReaderLink::tagRead, this, [this](const TagRead& read) {
         m_turn->onTagRead(read);
+        m_tracker.read(read);
         emit changed();
     });
     connect(m_reader, &ReaderLink::bytesReceived, this, &AgvLine::bytesReceived);
@@ -45,12 +47,21 @@ void AgvLine::wireRobot()
 {
     connect(m_robot, &RobotLink::segmentDone, this,
             [this](quint32 number) { m_turn->onSegmentDone(number); });
-    connect(m_robot, &RobotLink::stateReported, this, [this](RobotState state) {
-        m_turn->onRobotState(state);
-        emit changed();
-    });
+    connect(m_robot, &RobotLink::stateReported, this, &AgvLine::onRobotState);
+    connect(m_robot, &RobotLink::speedsChanged, this,
+            [this](const WheelSpeeds& speeds) { m_tracker.wheels(speeds, monotonicNow()); });
     connect(m_robot, &RobotLink::message, this,
             [this](EventLevel level, const QString& text) { log(level, text.toStdString()); });
+}
+
+void AgvLine::onRobotState(RobotState state)
+{
+    m_turn->onRobotState(state);
+    const bool drivesByItself = state == RobotState::StationDocking ||
+                                state == RobotState::StationUndocking || state == RobotState::DemoDocking;
+    if (drivesByItself)
+        m_tracker.doubt("It drove by itself to dock or undock: calibrate it again");
+    emit changed();
 }
 
 void AgvLine::wireTurn()
@@ -183,6 +194,8 @@ void AgvLine::onRobotLost(const QString& reason)
 {
     const bool turnSaysIt = m_turn->isActive(); // it ends with this reason
     m_robot->onLost(reason);
+    if (m_robot->mayBeMoving())
+        m_tracker.doubt("The link to the robot was lost while it drove: calibrate it again");
     m_turn->onRobotLost(reason.toStdString());
     if (m_robot->mayBeMoving())
         log(EventLevel::Error, "THE ROBOT MAY STILL BE MOVING: its link was lost while it drove. Use its own "
@@ -197,8 +210,17 @@ void AgvLine::takePose(const TurnSnapshot& turn)
 {
     if (turn.phase != TurnPhase::Finished || !turn.result || !turn.result->valid)
         return;
-    m_pose = turn.result->pose;
-    m_covariance = covarianceOfPose(*turn.result);
+    m_tracker.start(turn.result->pose, covarianceOfPose(*turn.result), monotonicNow());
+}
+
+/// A turn that runs moves the AGV anyhow, and ends with a new pose.
+void AgvLine::logHealth(const TrackedPose& tracked)
+{
+    if (m_turn->isActive() || tracked.health == m_loggedHealth)
+        return;
+    m_loggedHealth = tracked.health;
+    if (tracked.health == PoseHealth::Doubted)
+        log(EventLevel::Warning, "Its pose is doubted. " + tracked.note);
 }
 
 void AgvLine::logReader(LinkState state, const QString& reason)
@@ -246,8 +268,13 @@ AgvSnapshot AgvLine::snapshot(Time now)
     snapshot.mayBeMoving = m_robot->mayBeMoving();
     snapshot.turnTime_s = m_turnTime_s;
     snapshot.turnSpeed_m_s = m_turnSpeed_m_s;
-    snapshot.pose = m_pose;
-    snapshot.covariance = m_covariance;
+    const TrackedPose tracked = m_tracker.pose(now);
+    if (tracked.health != PoseHealth::None)
+        snapshot.pose = tracked.pose;
+    snapshot.covariance = tracked.covariance;
+    snapshot.poseHealth = tracked.health;
+    snapshot.poseNote = tracked.note;
+    logHealth(tracked);
     snapshot.recentReads = m_reader->recentReads(now);
     snapshot.turn = m_turn->snapshot(now);
     return snapshot;

@@ -6,6 +6,7 @@
 
 #include "core/plant_layout.h"
 #include "core/snapshot.h"
+#include "estimation/fusion/vehicle_tracker.h"
 #include "link/robot_server.h"
 #include "session/event_log.h"
 #include "session/solve_worker.h"
@@ -23,8 +24,9 @@ class TurnRunner;
 class AgvLine : public QObject {
     Q_OBJECT
 public:
-    AgvLine(const AgvConfig& config, link::RobotServer& server, SolveFunction solve, SolveMethod method,
-            EventLog& events, QObject* parent);
+    /// `plant`: its floor tags and RSSI table.
+    AgvLine(const AgvConfig& config, const PlantLayout& plant, link::RobotServer& server, SolveFunction solve,
+            SolveMethod method, EventLog& events, QObject* parent);
 
     void openReader();
     void closeReader();
@@ -39,6 +41,12 @@ public:
     void stop(const std::string& reason);
     /// The same at once, for the end of the program.
     void stopNow(const std::string& reason);
+
+    /// Ranges of a UWB tag that the AGV carries; see VehicleTracker.
+    void onRanges(estimation::AnchorRanges ranges, Point2 mount, double height_m, Time time)
+    {
+        m_tracker.ranges(ranges, mount, height_m, time);
+    }
 
     void onRobotConnected(const QString& peer, bool replaced);
     void onRobotLost(const QString& reason);
@@ -59,6 +67,8 @@ private:
     void wireTurn();
     std::string whyNoTurn() const;
     void takePose(const TurnSnapshot& turn);
+    void onRobotState(RobotState state);
+    void logHealth(const TrackedPose& tracked);
     /// Each trouble once until data comes again: the tries of a link that is down repeat it for hours.
     void logReader(LinkState state, const QString& reason);
     void log(EventLevel level, const std::string& text);
@@ -72,8 +82,8 @@ private:
     std::set<std::string> m_readerTroubles; ///< logged since the link was last well
     double m_turnTime_s;
     double m_turnSpeed_m_s;
-    std::optional<Pose2> m_pose;
-    PoseCovariance m_covariance{};
+    estimation::VehicleTracker m_tracker;
+    PoseHealth m_loggedHealth = PoseHealth::None;
 };
 
 } // namespace agv::session

@@ -158,7 +158,8 @@ void RobotLink::noteSpeeds(const WheelSpeeds& speeds)
         m_unconfirmedStop.reset();
     else if (m_commanded != WheelSpeeds{})
         m_unconfirmedStop = monotonicNow();
-    m_commanded = speeds;
+    if (std::exchange(m_commanded, speeds) != speeds)
+        emit speedsChanged(speeds);
 }
 
 void RobotLink::stop()
@@ -213,7 +214,7 @@ void RobotLink::take(const protocol::RobotReport& report, Time now)
         emit stateReported(update->state);
     } else if (const auto* done = std::get_if<protocol::SegmentDone>(&report)) {
         noteSegment(done->number);
-        m_commanded = {};
+        noteSpeeds({});
         m_unconfirmedStop.reset();
         emit segmentDone(done->number);
     } else if (const auto* progress = std::get_if<protocol::SegmentUpdate>(&report)) {

@@ -53,6 +53,8 @@ public:
 signals:
     void segmentDone(quint32 number);
     void stateReported(agv::RobotState state);
+    /// The wheels were told other speeds, or reached the end of a segment.
+    void speedsChanged(const agv::WheelSpeeds& speeds);
     void message(agv::EventLevel level, const QString& text);
 
 private:

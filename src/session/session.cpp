@@ -99,8 +99,8 @@ Session::Private::Private(Session& owner, PlantLayout layout, SessionOptions ses
 void Session::Private::addLine(const AgvConfig& config)
 {
     const int robot = config.id.number;
-    auto* agv = new AgvLine(config, *server, solverFor(plant, config, options.solverSeed), options.method,
-                            events, &q);
+    auto* agv = new AgvLine(config, plant, *server, solverFor(plant, config, options.solverSeed),
+                            options.method, events, &q);
     lines.emplace(robot, agv);
     QObject::connect(agv, &AgvLine::changed, &q, [this] { changed = true; });
     QObject::connect(agv, &AgvLine::bytesReceived, &q, [this, robot](const link::Chunk& chunk) {
@@ -125,6 +125,12 @@ void Session::Private::addUwb()
         return;
     uwb = new UwbLine(plant, options.uwb, events, &q);
     QObject::connect(uwb, &UwbLine::changed, &q, [this] { changed = true; });
+    QObject::connect(&uwb->link(), &UwbLink::carriedTagMeasured, &q,
+                     [this](RobotId agv, const UwbTagTrack& track, Point2 mount) {
+                         if (const auto carrier = lines.find(agv.number); carrier != lines.end())
+                             carrier->second->onRanges(track.corrected(), mount, track.height_m(),
+                                                       Time(durationFromSeconds(track.measured_s())));
+                     });
     QObject::connect(uwb, &UwbLine::bytesReceived, &q,
                      [this](const link::Chunk& chunk) { emit q.uwbBytes(chunk.bytes, chunk.time); });
 }

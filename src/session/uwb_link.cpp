@@ -92,6 +92,7 @@ void UwbLink::setLayout(std::vector<UwbAnchor> anchors, UwbSettings settings)
         isAnyAnew |= tag.track.setLayout(settingsOf(id), m_anchors, m_settings.corrections);
     if (isAnyAnew) {
         m_anchorStatistics.forgetResiduals();
+        m_anchorWatch.clear();
         m_doubtedAnchors.clear();
     }
     if (isOtherPort)
@@ -150,14 +151,22 @@ void UwbLink::takeReport(const protocol::TrekReport& report)
         m_calibration.add(range, report.firstByte);
     }
     m_anchorStatistics.add(tag.track.shown());
-    watchAnchors(tag.track);
+    if (ranges.empty())
+        return;
+    watchAnchors(report.tag, tag.track);
+    if (const UwbTag& carried = tag.track.tag(); carried.agv)
+        emit carriedTagMeasured(*carried.agv, tag.track, carried.mount);
 }
 
-void UwbLink::watchAnchors(const UwbTagTrack& track)
+void UwbLink::watchAnchors(int tag, const UwbTagTrack& track)
 {
-    const std::optional<UwbTagTrack::Doubt> doubt = track.doubt();
-    if (doubt && m_doubtedAnchors.insert(doubt->anchor).second)
-        emit anchorDoubted(doubt->anchor, QString::fromStdString(doubt->text));
+    m_anchorWatch.add(tag, track.corrected(), track.height_m(), track.measured_s());
+    const std::optional<estimation::AnchorDoubt>& doubt = m_anchorWatch.doubt();
+    if (!doubt)
+        return;
+    const int anchor = m_anchors[static_cast<std::size_t>(doubt->index)].id;
+    if (m_doubtedAnchors.insert(anchor).second)
+        emit anchorDoubted(anchor, QString::fromStdString(toText(*doubt)));
 }
 
 /// What the unit says of itself gives the age of its ranges.
@@ -241,9 +250,8 @@ UwbSnapshot UwbLink::snapshot(Time now)
         snapshot.tags.push_back(std::move(entry));
     }
     snapshot.anchors = m_anchorStatistics.snapshot(now);
-    for (const auto& [id, tag] : m_tags)
-        if (const auto doubt = tag.track.doubt())
-            std::ranges::find(snapshot.anchors, doubt->anchor, &UwbAnchorSnapshot::id)->warning = doubt->text;
+    if (const auto& doubt = m_anchorWatch.doubt())
+        snapshot.anchors[static_cast<std::size_t>(doubt->index)].warning = toText(*doubt);
     m_calibration.onTimer(now);
     snapshot.calibration = m_calibration.snapshot(now);
     return snapshot;

@@ -8,6 +8,7 @@
 #include "core/anchor_survey.h"
 #include "core/plant_layout.h"
 #include "core/snapshot.h"
+#include "estimation/uwb/anchor_watch.h"
 #include "link/serial_link.h"
 #include "procedure/link_life.h"
 #include "procedure/range_calibration.h"
@@ -66,6 +67,8 @@ signals:
     void stateChanged(agv::LinkState state, const QString& reason);
     /// Once for each anchor, until the layout changes.
     void anchorDoubted(int anchor, const QString& warning);
+    /// `track` has new ranges of a tag that `agv` carries at `mount` (vehicle frame, m).
+    void carriedTagMeasured(agv::RobotId agv, const agv::session::UwbTagTrack& track, agv::Point2 mount);
     void unitKnown(const QString& version, const QString& configuration);
 
 private:
@@ -84,7 +87,7 @@ private:
     void armTimer();
     Tag& tagOf(int id);
     UwbTag settingsOf(int id) const;
-    void watchAnchors(const UwbTagTrack& track);
+    void watchAnchors(int tag, const UwbTagTrack& track);
     LinkSnapshot linkSnapshot(Time now);
 
     std::vector<UwbAnchor> m_anchors;
@@ -102,6 +105,7 @@ private:
     AnchorPairs m_anchorPairs;
     std::map<int, Tag> m_tags; ///< that were heard
     AnchorStatistics m_anchorStatistics;
+    estimation::AnchorWatch m_anchorWatch;
     std::set<int> m_doubtedAnchors; ///< that were reported
     procedure::RangeCalibration m_calibration;
     RateMeter m_rate;

@@ -20,17 +20,8 @@ UwbTagTrack::UwbTagTrack(const UwbTag& tag, const std::vector<UwbAnchor>& anchor
                          const std::vector<RangeCorrection>& corrections)
     : m_tag(tag),
       m_anchors(anchorsFor(tag.id, anchors, corrections)),
-      m_filter({.height_m = tag.z_m, .obstruction = {}}),
-      m_watch(watchFor(tag, m_anchors))
+      m_filter({.height_m = tag.z_m, .obstruction = {}})
 {}
-
-estimation::AnchorWatch UwbTagTrack::watchFor(const UwbTag& tag, const std::vector<Anchor>& anchors)
-{
-    std::vector<Eigen::Vector3d> places;
-    for (const Anchor& anchor : anchors)
-        places.emplace_back(anchor.x, anchor.y, anchor.z);
-    return {std::move(places), tag.z_m};
-}
 
 std::vector<UwbTagTrack::Anchor> UwbTagTrack::anchorsFor(int tag, const std::vector<UwbAnchor>& anchors,
                                                          const std::vector<RangeCorrection>& corrections)
@@ -58,7 +49,6 @@ bool UwbTagTrack::setLayout(const UwbTag& tag, const std::vector<UwbAnchor>& anc
         return false;
     m_anchors = std::move(used);
     m_filter = estimation::RangeEkf({.height_m = tag.z_m, .obstruction = {}});
-    m_watch = watchFor(m_tag, m_anchors);
     stop();
     m_ranges.clear();
     m_shown.clear();
@@ -133,7 +123,6 @@ void UwbTagTrack::follow(double time_s)
             m_shown[i].residual_m = records[i].innovation;
     }
     m_spread.add({m_filter.state().x(), m_filter.state().y()});
-    m_watch.add(ranges, m_filter.state().head<2>(), time_s);
     const auto rejected = std::ranges::count(m_shown, true, &UwbRangeSnapshot::rejected);
     const bool isContradicted = 2 * rejected > std::ssize(m_shown);
     m_contradictions = isContradicted ? m_contradictions + 1 : 0;
@@ -161,14 +150,6 @@ UwbTagSnapshot UwbTagTrack::snapshot(double now_s) const
     tag.covariance = {covariance(0, 0), covariance(0, 1), covariance(1, 1)};
     tag.r95_m = m_spread.r95_m();
     return tag;
-}
-
-std::optional<UwbTagTrack::Doubt> UwbTagTrack::doubt() const
-{
-    const std::optional<estimation::AnchorDoubt>& doubt = m_watch.doubt();
-    if (!doubt)
-        return std::nullopt;
-    return Doubt{m_anchors[static_cast<std::size_t>(doubt->anchor)].id, estimation::toText(*doubt)};
 }
 
 std::string UwbTagTrack::whyNoPosition(double age_s) const

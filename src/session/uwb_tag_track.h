@@ -3,7 +3,6 @@
 
 #include "core/plant_layout.h"
 #include "core/snapshot.h"
-#include "estimation/uwb/anchor_watch.h"
 #include "estimation/uwb/position_spread.h"
 #include "estimation/uwb/range_ekf.h"
 #include "protocol/trek_ranges.h"
@@ -44,12 +43,11 @@ public:
     UwbTagSnapshot snapshot(double now_s) const;
     /// The ranges of the last report and what was made of them; empty after one without ranges.
     std::span<const UwbRangeSnapshot> shown() const { return m_shown; }
-    /// An anchor that does not stand where the list says, as far as this tag tells.
-    struct Doubt {
-        int anchor = 0;   ///< id
-        std::string text; ///< what is wrong and what to do
-    };
-    std::optional<Doubt> doubt() const;
+    /// The same as the filter took them, corrected, by the index of the anchor in the plant's list.
+    estimation::AnchorRanges corrected() const { return {m_ranges.data(), m_ranges.size()}; }
+    double height_m() const { return m_tag.z_m; }
+    const UwbTag& tag() const { return m_tag; }
+    double measured_s() const { return m_measured_s; } ///< of the last ranges
 
 private:
     /// An anchor as it enters into the positions of this tag.
@@ -61,7 +59,6 @@ private:
     };
     static std::vector<Anchor> anchorsFor(int tag, const std::vector<UwbAnchor>& anchors,
                                           const std::vector<RangeCorrection>& corrections);
-    static estimation::AnchorWatch watchFor(const UwbTag& tag, const std::vector<Anchor>& anchors);
     void stop();
     void gather(const protocol::RangeSet& ranges);
     void follow(double time_s);
@@ -71,7 +68,6 @@ private:
     std::vector<Anchor> m_anchors; ///< by AnchorRange::index
     estimation::RangeEkf m_filter;
     estimation::PositionSpread m_spread;
-    estimation::AnchorWatch m_watch;
     estimation::AnchorRangeList m_ranges;  ///< of the last report; before the start, of the last exchange
     int m_sequence = -1;                   ///< that m_ranges are of
     int m_unknownAnchor = -1;              ///< of the last report; -1: none

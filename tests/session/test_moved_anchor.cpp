@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The simulated kit in virtual time, heard through the decoder and the track that the console uses.
+// The simulated kit in virtual time, heard through the decoder, track and watch that the console uses.
+#include "estimation/uwb/anchor_watch.h"
 #include "protocol/trek_ranges.h"
 #include "protocol/trek_stream.h"
 #include "session/uwb_tag_track.h"
@@ -36,6 +37,18 @@ Point2 drive(double time_s)
     return {3.0 + 2.4 * std::sin(0.11 * time_s), 2.0 + 1.5 * std::sin(0.171 * time_s + 1.0)};
 }
 
+struct Doubt {
+    int anchor = 0; ///< id
+    std::string text;
+};
+
+std::optional<Doubt> doubtOf(const estimation::AnchorWatch& watch)
+{
+    if (!watch.doubt())
+        return std::nullopt;
+    return Doubt{watch.doubt()->index, toText(*watch.doubt())}; // the kit's anchors are numbered from 0
+}
+
 /// A kit whose anchors stand at `listed` but for what is changed, and the doubts of the track of one tag.
 struct Plant {
     explicit Plant(std::vector<UwbAnchor> list, std::uint64_t seed = 1) : listed(std::move(list))
@@ -52,6 +65,7 @@ struct Plant {
     {
         simulation::UwbKit kit(settings, Time{} + 100s);
         UwbTagTrack track({.id = 5, .label = {}, .agv = {}, .z_m = 0.3, .mount = {}}, listed);
+        estimation::AnchorWatch watch;
         protocol::TrekStream stream;
         protocol::TrekRanges reader;
         reader.setReportPeriod(0.1);
@@ -65,20 +79,23 @@ struct Plant {
                 stream.feed(output.bytes, output.at, [&](const protocol::TrekReport& report) {
                     if (report.kind == protocol::TrekLineKind::Raw)
                         return;
-                    track.take(reader.read(report), secondsFrom(report.firstByte.time_since_epoch()));
+                    const protocol::RangeSet ranges = reader.read(report);
+                    track.take(ranges, secondsFrom(report.firstByte.time_since_epoch()));
+                    if (!ranges.empty())
+                        watch.add(5, track.corrected(), track.height_m(), track.measured_s());
                     ++reports;
-                    if (const auto doubt = track.doubt())
+                    if (const auto doubt = doubtOf(watch))
                         ++doubts["A" + std::to_string(doubt->anchor) + " " + doubt->text];
                 });
         }
-        last = track.doubt();
+        last = doubtOf(watch);
         return doubts;
     }
 
     std::vector<UwbAnchor> listed;
     UwbKitSettings settings;
     std::map<std::string, int> doubts;
-    std::optional<UwbTagTrack::Doubt> last;
+    std::optional<Doubt> last;
     int reports = 0;
     /// Faults that depend on where the tag is and when.
     std::function<void(simulation::UwbKit&, Point2, Time)> beforeStep;

@@ -8,8 +8,7 @@ namespace agv::estimation {
 
 namespace {
 
-constexpr double kRotationPriorLogOdds = 3.0; ///< 95 : 5 for the commanded direction
-constexpr double kModelError = 1.5;           ///< the grid's Gaussians understate the sd by about this factor
+constexpr double kModelError = 1.5; ///< the grid's Gaussians understate the sd by about this factor
 
 double preference(const TurnRecord& record, double step)
 {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Cholesky>
 
@@ -23,6 +24,7 @@ constexpr double kLeastScale = 5e-4;
 constexpr float kReadableFloor = 1e-3F;
 /// Memory of the plausibility of reads.
 constexpr double kForget = 0.05;
+constexpr double kObstructedReach_m = 5.0; ///< an obstructed range is as likely anywhere within
 
 double rootOf(double variance) { return std::sqrt(std::max(variance, 0.0)); }
 
@@ -36,7 +38,7 @@ FloorFilter::FloorFilter(const TagMap& tags, const RssiTable& table, const Floor
     const auto n = static_cast<std::size_t>(std::max(settings.particles, 16));
     for (auto* column : {&m_x, &m_y, &m_heading, &m_scale, &m_difference, &m_weight, &m_log, &m_spare})
         column->assign(n, 0.0);
-    for (auto* column : {&m_antennaX, &m_antennaY, &m_readable})
+    for (auto* column : {&m_placedX, &m_placedY, &m_readable})
         column->assign(n, 0.0F);
     m_tagsByX.reserve(tags.size());
     for (const auto& [uid, place] : tags)
@@ -116,12 +118,12 @@ void FloorFilter::predict(double left_m_s, double right_m_s, double dt_s)
     summarise();
 }
 
-void FloorFilter::placeAntennas()
+void FloorFilter::place(Point2 offset)
 {
     for (std::size_t i = 0; i < m_x.size(); ++i) {
-        const Point2 p = fromVehicleFrame({{m_x[i], m_y[i]}, m_heading[i]}, m_settings.antenna);
-        m_antennaX[i] = static_cast<float>(p.x);
-        m_antennaY[i] = static_cast<float>(p.y);
+        const Point2 p = fromVehicleFrame({{m_x[i], m_y[i]}, m_heading[i]}, offset);
+        m_placedX[i] = static_cast<float>(p.x);
+        m_placedY[i] = static_cast<float>(p.y);
     }
 }
 
@@ -146,13 +148,25 @@ void FloorFilter::addReadable()
         const auto tx = static_cast<float>(tag.x);
         const auto ty = static_cast<float>(tag.y);
         for (std::size_t i = 0; i < m_readable.size(); ++i) {
-            const float dx = m_antennaX[i] - tx;
-            const float dy = m_antennaY[i] - ty;
+            const float dx = m_placedX[i] - tx;
+            const float dy = m_placedY[i] - ty;
             m_readable[i] += m_table.read[static_cast<std::size_t>(cellOf(std::sqrt(dx * dx + dy * dy)))];
         }
     }
     for (float& readable : m_readable)
         readable = std::log(readable + kReadableFloor);
+}
+
+double FloorFilter::readVariance() const
+{
+    const double reach = kCell_m * m_table.cells;
+    return reach * reach + m_covariance[0] + m_covariance[4];
+}
+
+double FloorFilter::testRatio(Point2 tag) const
+{
+    const double off = distance(tag, fromVehicleFrame(m_pose, m_settings.antenna));
+    return off * off / readVariance();
 }
 
 MeasurementRecord FloorFilter::weigh(Point2 tag, int rssi)
@@ -162,16 +176,15 @@ MeasurementRecord FloorFilter::weigh(Point2 tag, int rssi)
     const auto tx = static_cast<float>(tag.x);
     const auto ty = static_cast<float>(tag.y);
     for (std::size_t i = 0; i < m_log.size(); ++i) {
-        const float dx = m_antennaX[i] - tx;
-        const float dy = m_antennaY[i] - ty;
+        const float dx = m_placedX[i] - tx;
+        const float dy = m_placedY[i] - ty;
         m_log[i] += static_cast<double>(row[cellOf(std::sqrt(dx * dx + dy * dy))] - m_readable[i]);
     }
     MeasurementRecord record;
     record.kind = MeasurementKind::FloorTag;
     record.innovation = distance(tag, fromVehicleFrame(m_pose, m_settings.antenna));
-    const double reach = kCell_m * m_table.cells;
-    record.variance = reach * reach + m_covariance[0] + m_covariance[4];
-    record.testRatio = record.innovation * record.innovation / record.variance;
+    record.variance = readVariance();
+    record.testRatio = testRatio(tag);
     record.rejected = record.testRatio > 1.0;
     record.weight = record.rejected ? 0.0 : 1.0;
     record.fused = true;
@@ -185,7 +198,7 @@ const MeasurementRecords& FloorFilter::update(std::span<const FloorRead> reads)
     if (!m_started || reads.empty())
         return m_records;
     std::ranges::fill(m_log, 0.0);
-    placeAntennas();
+    place(m_settings.antenna);
     addReadable();
     for (const FloorRead& read : reads) {
         const auto tag = m_tags.find(read.uid);
@@ -198,6 +211,48 @@ const MeasurementRecords& FloorFilter::update(std::span<const FloorRead> reads)
         }
         m_records.add(weigh(tag->second, read.rssi));
     }
+    normalise();
+    summarise();
+    resampleWhenNeeded();
+    return m_records;
+}
+
+/// Of each particle: in sight with a Gaussian error, or anything at all. The density of the latter keeps the
+/// best particles when every range is obstructed.
+MeasurementRecord FloorFilter::weigh(const AnchorRange& range, Point2 tag, double height_m, double share)
+{
+    const double vertical = range.anchor.z() - height_m;
+    const double precision = 1.0 / m_settings.rangeSd_m;
+    const double obstructed = m_settings.obstructed / kObstructedReach_m;
+    const double inSight = (1.0 - m_settings.obstructed) * precision / std::sqrt(2.0 * std::numbers::pi);
+    const auto residualAt = [&](double x, double y) {
+        return range.range_m - std::hypot(x - range.anchor.x(), y - range.anchor.y(), vertical);
+    };
+    for (std::size_t i = 0; i < m_log.size(); ++i) {
+        const double off = precision * residualAt(m_placedX[i], m_placedY[i]);
+        m_log[i] += share * std::log(inSight * std::exp(-0.5 * off * off) + obstructed);
+    }
+    const Point2 at = fromVehicleFrame(m_pose, tag);
+    MeasurementRecord record;
+    record.source = range.index;
+    record.innovation = residualAt(at.x, at.y);
+    record.variance = 1.0 / (precision * precision) + m_covariance[0] + m_covariance[4];
+    record.testRatio = record.innovation * record.innovation / (kRecordGate * kRecordGate * record.variance);
+    record.rejected = record.testRatio > 1.0;
+    record.weight = record.rejected ? 0.0 : 1.0;
+    record.fused = true;
+    return record;
+}
+
+const MeasurementRecords& FloorFilter::update(AnchorRanges ranges, Point2 tag, double height_m, double share)
+{
+    m_records.clear();
+    if (!m_started || ranges.empty())
+        return m_records;
+    std::ranges::fill(m_log, 0.0);
+    place(tag);
+    for (const AnchorRange& range : ranges)
+        m_records.add(weigh(range, tag, height_m, std::clamp(share, 0.0, 1.0)));
     normalise();
     summarise();
     resampleWhenNeeded();

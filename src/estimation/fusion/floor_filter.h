@@ -4,6 +4,7 @@
 #include "core/plant_layout.h"
 #include "core/random.h"
 #include "estimation/measurement_record.h"
+#include "estimation/uwb/anchor_range.h"
 
 #include <cstdint>
 #include <Eigen/Core>
@@ -24,6 +25,8 @@ struct FloorFilterSettings {
     double distanceSd_m = 0.004;      ///< blur of the RSSI table: tags, antenna, edges
     double offByOne = 0.4;            ///< probability of an RSSI one too high or low
     double outlier = 5e-3;            ///< weight of a read that means nothing
+    double rangeSd_m = 0.12;          ///< of a range in sight: noise, and what calibration leaves
+    double obstructed = 0.1;          ///< share of the ranges that say nothing
     std::uint64_t seed = 1;
 };
 
@@ -36,7 +39,8 @@ struct FloorRead {
 /// Pose of a vehicle that drives over a floor of RFID tags: particle filter over (x, y, heading, diameter
 /// error of the wheels, difference between them), moved by the wheel speeds, weighed by the tags read. Given
 /// that the reader reads some tag, it is tag i with RSSI r with probability P(r | d_i) / sum over tags and
-/// RSSIs: how often tags are missed drops out. Must be started by the pose of the initialisation turn.
+/// RSSIs: how often tags are missed drops out. UWB ranges help where no floor tags are. Must be started by
+/// the pose of the initialisation turn.
 /// Nothing allocates after construction but for growing to the number of tags in reach; the same seed and
 /// input give the same track.
 class FloorFilter {
@@ -50,6 +54,12 @@ public:
     void predict(double left_m_s, double right_m_s, double dt_s);
     /// Reads since the last step. A tag that is not on the floor plan is recorded as rejected.
     const MeasurementRecords& update(std::span<const FloorRead> reads);
+    /// Ranges of a UWB tag at `tag` (vehicle frame, m), `height_m` above the floor. `share`, 0 to 1: how much
+    /// of them is news, since the errors of ranges hardly change from one report to the next.
+    const MeasurementRecords& update(AnchorRanges ranges, Point2 tag, double height_m, double share);
+    /// Of a read of the tag at this place: its squared distance from the antenna over what the reach of the
+    /// antenna and the uncertainty of the pose allow; above 1 the read contradicts the pose.
+    double testRatio(Point2 tag) const;
 
     Pose2 pose() const { return m_pose; }
     const PoseCovariance& covariance() const { return m_covariance; }
@@ -72,9 +82,11 @@ private:
     void fillTable(const RssiTable& table);
     int cellOf(float distance_m) const;
     void gatherCandidates(Point2 around, double reach);
-    void placeAntennas();
+    void place(Point2 offset);
+    double readVariance() const;
     void addReadable();
     MeasurementRecord weigh(Point2 tag, int rssi);
+    MeasurementRecord weigh(const AnchorRange& range, Point2 tag, double height_m, double share);
     void normalise();
     void summarise();
     void resampleWhenNeeded();
@@ -87,7 +99,7 @@ private:
     Table m_table;
     SplitMix64 m_random;
     std::vector<double> m_x, m_y, m_heading, m_scale, m_difference, m_weight, m_log, m_spare;
-    std::vector<float> m_antennaX, m_antennaY, m_readable;
+    std::vector<float> m_placedX, m_placedY, m_readable; ///< antenna or UWB tag of each particle
     std::vector<Point2> m_candidates;
     Pose2 m_pose;
     PoseCovariance m_covariance{};

@@ -11,12 +11,11 @@ namespace agv::estimation {
 
 namespace {
 
-constexpr std::size_t kDrawn = 6000;          ///< prior samples per direction
-constexpr std::size_t kScouts = 400;          ///< particles that decide the direction
-constexpr std::size_t kParticles = 1000;      ///< particles of the answer
-constexpr std::size_t kLeadingStages = 2;     ///< blurred likelihoods run before the direction is decided
-constexpr double kDecided = 12.0;             ///< log odds beyond which the other direction is dropped
-constexpr double kRotationPriorLogOdds = 3.0; ///< 95 : 5 for the commanded direction
+constexpr std::size_t kDrawn = 6000;      ///< prior samples per direction
+constexpr std::size_t kScouts = 400;      ///< particles that decide the direction
+constexpr std::size_t kParticles = 1000;  ///< particles of the answer
+constexpr std::size_t kLeadingStages = 2; ///< blurred likelihoods run before the direction is decided
+constexpr double kDecided = 12.0;         ///< log odds beyond which the other direction is dropped
 
 double preference(const TurnRecord& record, Rotation rotation)
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimation/joint/motion_prior.h"
 
+#include "estimation/log_sum_exp.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,13 +37,6 @@ constexpr std::size_t kKinds = MotionPrior::kKinds;
 
 double gaussian(double z) { return -0.5 * z * z; }
 
-/// Log of the sum of exponentials.
-double logSum(double a, double b)
-{
-    const double top = std::max(a, b);
-    return top + std::log(std::exp(a - top) + std::exp(b - top));
-}
-
 double logGaussian(double off, double sd) { return gaussian(off / sd) - std::log(sd); }
 
 double logJitterMedian(const RobotKind& robot) { return std::log(radFromDeg(robot.jitter_deg)); }
@@ -73,7 +68,7 @@ double MotionPrior::logRadius(double radius) const
     const double z = (radius - radius_m) / radiusScale_m;
     const double mounted =
         kLogStudentAtZero - 0.5 * (kRadiusFreedom + 1.0) * std::log1p(z * z / kRadiusFreedom);
-    return logSum(mounted, kLogGaussianAtZero + logGaussian(z, kMeasuredRadius));
+    return logSumExp(mounted, kLogGaussianAtZero + logGaussian(z, kMeasuredRadius));
 }
 
 double MotionPrior::logMotion(double stepAngle, double logJitter) const
@@ -99,7 +94,7 @@ double MotionPrior::logTableScale(double logScale)
 {
     if (std::abs(logScale) > kLargestLogScale)
         return kImpossible;
-    return logSum(logGaussian(logScale, kNarrowScale), logGaussian(logScale, kWideScale));
+    return logSumExp(logGaussian(logScale, kNarrowScale), logGaussian(logScale, kWideScale));
 }
 
 MotionPrior::Motion MotionPrior::drawMotion(SplitMix64& random) const

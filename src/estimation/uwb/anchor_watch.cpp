@@ -1,203 +1,324 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimation/uwb/anchor_watch.h"
 
-#include "core/units.h"
+#include "estimation/uwb/range_fix.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <limits>
+#include <utility>
 
 namespace agv::estimation {
-
 namespace {
 
-constexpr int kLeastRangesWatched = 4;
-constexpr int kSamplesBetweenDecisions = 10;
-constexpr double kStandingPeriod_s = 1.0;
-constexpr double kDeviationsOfMoved = 4.0;
-/// What must be left of the misfit at most.
-constexpr double kMisfitLeft = 0.8;
-/// By how much the log likelihood must be above that of the list as it is and of the next best explanation.
-constexpr double kMuchBetter = 25.0;
-constexpr double kClearlyBetter = 8.0;
-constexpr double kClearlyBetterStanding = 3.0;
-/// The noise of the ranges is taken for no smaller than half of AnchorFaultModel::rangeSd_m.
-constexpr double kLeastNoise = 0.25;
-/// Median of chi squared over its degrees of freedom, for two of them.
-constexpr double kMedianOfMisfit = 0.69;
-/// A range that is too short by more than this is no noise.
-constexpr double kShortRange_m = 0.06;
-constexpr std::size_t kLeastShortRanges = 8;
-/// Of the shortness that the displacement explains so much must be measured (median).
-constexpr double kShareOfExpected = 0.6;
+constexpr std::size_t rangesToWatch = 4; ///< three give a place, the fourth can contradict it
+/// Reports that follow each other, and places near each other, have much of their errors in common: so many
+/// reports count as one.
+constexpr double reportsOfOneError = 16.0;
+/// Least share of the ranges that are too long, or too short, by half the median or more.
+constexpr double mostAlike = 0.7;
+/// Where an anchor went is not said when it is less certain.
+constexpr double mostMoveSd_m = 0.25;
+/// Cauchy's weights fall from this many sds on.
+constexpr double cauchySds = 2.0;
 
-std::string roundedMm(double m) { return std::to_string(10 * std::lround(mmFromMetres(m) / 10.0)) + " mm"; }
+Eigen::Vector3d seenFrom(const AnchorRange& range, const Eigen::Vector2d& place, double height_m)
+{
+    return Eigen::Vector3d(place.x(), place.y(), height_m) - range.anchor;
+}
 
-/// The best explanation by one fault of one anchor and the cost of the second best.
-struct BestFault {
-    int anchor = -1;
-    AnchorFaultFit fit;
-    double nextCost = 1e300;
-
-    /// How much more likely it is than what costs `cost`, for the noise that its misfit shows.
-    double betterBy(double cost) const
-    {
-        return (cost - fit.cost) / std::max(kLeastNoise, fit.misfit / kMedianOfMisfit);
-    }
+struct PlaceOfOthers {
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
+    bool isGood = false;
 };
 
-BestFault bestFault(const AnchorFaultModel& model, std::span<const RangeSample> samples, AnchorFault fault)
+/// Gauss-Newton from a near start with Huber's weights, all ranges but those of one anchor.
+PlaceOfOthers placeWithout(const AnchorRangeList& ranges, int without, double height_m, double sd_m,
+                           Eigen::Vector2d place)
 {
-    BestFault best;
-    best.fit.cost = 1e300;
-    for (int anchor = 0; anchor < model.anchorCount(); ++anchor) {
-        const AnchorFaultFit fit = model.fit(samples, fault, anchor);
-        if (fit.cost < best.fit.cost) {
-            best.nextCost = best.fit.cost;
-            best.anchor = anchor;
-            best.fit = fit;
-        } else {
-            best.nextCost = std::min(best.nextCost, fit.cost);
+    constexpr int steps = 8;
+    constexpr double huberSds = 1.5;
+    constexpr double mostStep_m = 1.0;
+    constexpr double settled_m = 1e-4;
+    constexpr double leastInformation = 0.02; ///< of the worst direction, over that of one range head on
+    PlaceOfOthers result;
+    for (int i = 0; i < steps; ++i) {
+        Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+        Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
+        for (const AnchorRange& range : ranges) {
+            if (range.index == without)
+                continue;
+            const Eigen::Vector3d apart = seenFrom(range, place, height_m);
+            const double d = std::max(apart.norm(), kLeastDistance_m);
+            const double off = (range.range_m - d) / sd_m;
+            const double weight = std::min(1.0, huberSds / std::max(std::abs(off), kLeastDistance_m));
+            const Eigen::Vector2d h = apart.head<2>() / d;
+            information += weight * h * h.transpose();
+            gradient += weight * h * (range.range_m - d);
+        }
+        // A trace of what the ranges leave open keeps the step finite.
+        const double least = 0.5 * (information.trace() - std::hypot(information(0, 0) - information(1, 1),
+                                                                     2.0 * information(0, 1)));
+        if (!(least > leastInformation))
+            return result;
+        Eigen::Vector2d step = information.inverse() * gradient;
+        if (step.norm() > mostStep_m)
+            step *= mostStep_m / step.norm();
+        place += step;
+        if (step.norm() < settled_m || i + 1 == steps) {
+            result = {.place = place, .covariance = sd_m * sd_m * information.inverse(), .isGood = true};
+            break;
         }
     }
-    return best;
+    return result;
+}
+
+double median(std::vector<double>& values)
+{
+    const auto middle = values.begin() + std::ssize(values) / 2;
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
 }
 
 } // namespace
 
 std::string toText(const AnchorDoubt& doubt)
 {
-    if (doubt.fault == AnchorFault::Moved)
-        return "Ranges fit a place " + roundedMm(doubt.size_m) +
-               " from the one in the list: measure the anchor again or restore it";
-    if (doubt.size_m > 0.0)
-        return "Ranges are " + roundedMm(doubt.size_m) +
-               " too long: the anchor may have been moved or be hidden; look at it";
-    return "Ranges are " + roundedMm(-doubt.size_m) +
-           " too short: the anchor may have been moved; measure it again or calibrate its ranges";
+    const std::string amount = std::to_string(std::lround(mmFromMetres(doubt.amount_m))) + " mm";
+    switch (doubt.kind) {
+    case AnchorDoubtKind::Moved:
+        break;
+    case AnchorDoubtKind::TooLong:
+        return "Ranges are " + amount + " too long: the anchor may have been moved or be hidden; look at it";
+    case AnchorDoubtKind::TooShort:
+        return "Ranges are " + amount +
+               " too short: the anchor may have been moved; measure it again or calibrate its ranges";
+    }
+    return "Ranges fit a place " + amount +
+           " from the one in the list: measure the anchor again or restore it";
 }
 
-void AnchorWatch::add(AnchorRanges ranges, const Eigen::Vector2d& position, double time_s)
+AnchorWatch::AnchorWatch(const AnchorWatchSettings& settings) : m_settings(settings)
 {
-    RangeSample sample;
-    sample.position = position;
-    int count = 0;
-    for (const AnchorRange& range : ranges) {
-        if (range.index < 0 || range.index >= m_model.anchorCount() || !(range.range_m > 0.0))
-            continue;
-        sample.range_m[static_cast<std::size_t>(range.index)] = static_cast<float>(range.range_m);
-        ++count;
-    }
-    if (count < kLeastRangesWatched || !position.allFinite())
+    const auto most = static_cast<std::size_t>(m_settings.mostReports);
+    m_reports.reserve(most);
+    m_sights.reserve(most);
+    m_residuals_m.reserve(most);
+}
+
+void AnchorWatch::clear()
+{
+    m_reports.clear();
+    m_next = 0;
+    m_lastOfTag_s.clear();
+    m_candidate.reset();
+    m_doubt.reset();
+}
+
+void AnchorWatch::add(int tag, AnchorRanges ranges, double height_m, double time_s)
+{
+    if (ranges.size() < rangesToWatch || ranges.size() > std::size_t{kMaxAnchors})
         return;
-    if ((position - m_place).norm() >= stepOfSamples_m)
-        addDriven(sample, time_s);
+    const auto [last, isFirst] = m_lastOfTag_s.try_emplace(tag, time_s);
+    if (!isFirst && std::abs(time_s - last->second) < m_settings.sampleEvery_s)
+        return;
+    last->second = time_s;
+    const UwbFix fix = fixFromRanges(ranges, {.height = TagHeight{height_m, 0.0}});
+    if (!fix.ok())
+        return;
+    Report report;
+    report.time_s = time_s;
+    report.height_m = height_m;
+    report.place = fix.position.head<2>();
+    for (const AnchorRange& range : ranges)
+        report.ranges.add(range);
+    if (m_reports.size() < static_cast<std::size_t>(m_settings.mostReports))
+        m_reports.push_back(report);
     else
-        addStanding(sample, time_s);
+        m_reports[m_next++ % m_reports.size()] = report;
+    if (std::abs(time_s - m_decided_s) >= m_settings.decideEvery_s)
+        decide(time_s);
 }
 
-void AnchorWatch::addDriven(const RangeSample& sample, double time_s)
+void AnchorWatch::decide(double now_s)
 {
-    m_place = sample.position;
-    m_standing.clear();
-    m_standsSince_s = m_lastStanding_s = time_s;
-    m_driven.add(sample);
-    if (++m_newSamples < kSamplesBetweenDecisions || std::ssize(m_driven.values()) < samplesToDecide)
-        return;
-    m_newSamples = 0;
-    std::optional<AnchorDoubt> doubt = movedAnchor();
-    if (!doubt)
-        doubt = offsetAnchor(m_driven.values());
-    const bool isSame =
-        doubt && m_suspicion && doubt->fault == m_suspicion->fault && doubt->anchor == m_suspicion->anchor;
-    m_decisionsInARow = isSame ? m_decisionsInARow + 1 : 1;
-    m_suspicion = doubt;
-    if (!doubt || m_decisionsInARow >= decisionsToSay)
-        m_doubt = doubt;
+    m_decided_s = now_s;
+    m_now_s = now_s;
+    confirm(candidate(), now_s);
 }
 
-void AnchorWatch::addStanding(const RangeSample& sample, double time_s)
+/// A decision counts when it has been the same for a while, and until it has been another for as long as a
+/// decision takes.
+void AnchorWatch::confirm(std::optional<AnchorDoubt> candidate, double now_s)
 {
-    if (time_s - m_lastStanding_s < kStandingPeriod_s)
-        return;
-    m_lastStanding_s = time_s;
-    m_standing.add(sample);
-    const bool isKnownToBeMoved = m_doubt && m_doubt->fault == AnchorFault::Moved;
-    if (isKnownToBeMoved || time_s - m_standsSince_s < persistence_s ||
-        std::ssize(m_standing.values()) < samplesToDecide)
-        return;
-    const RangeSample median = medianWhileStanding();
-    m_doubt = offsetAnchor({&median, 1});
+    const auto isSame = [](const std::optional<AnchorDoubt>& a, const std::optional<AnchorDoubt>& b) {
+        return a.has_value() == b.has_value() && (!a || (a->index == b->index && a->kind == b->kind));
+    };
+    if (!isSame(candidate, m_candidate))
+        m_candidateSince_s = now_s;
+    m_candidate = candidate;
+    const double lasted_s = now_s - m_candidateSince_s;
+    const bool isOfTime = candidate && candidate->kind != AnchorDoubtKind::Moved;
+    if (lasted_s >= (isOfTime ? m_settings.hidden_s : m_settings.moved_s))
+        m_doubt = candidate;
 }
 
-std::optional<AnchorDoubt> AnchorWatch::movedAnchor() const
+double AnchorWatch::capped(double residual, double variance) const
 {
-    const std::span<const RangeSample> samples = m_driven.values();
-    const AnchorFaultFit asListed = m_model.fit(samples, AnchorFault::None, -1);
-    const BestFault moved = bestFault(m_model, samples, AnchorFault::Moved);
-    const double size_m = moved.fit.displacement.norm();
-    if (size_m < leastDisplacement_m || moved.fit.samples < samplesToDecide ||
-        moved.fit.misfit > kMisfitLeft * asListed.misfit || moved.betterBy(moved.nextCost) < kClearlyBetter ||
-        moved.betterBy(asListed.cost) < kMuchBetter)
-        return std::nullopt;
-    const Eigen::Vector2d direction = moved.fit.displacement / size_m;
-    const double sd_m = std::sqrt(std::max(0.0, direction.dot(moved.fit.covariance * direction)));
-    const AnchorFaultFit hidden = m_model.fit(samples, AnchorFault::Offset, moved.anchor);
-    if (size_m < kDeviationsOfMoved * sd_m || moved.betterBy(hidden.cost) < kClearlyBetter ||
-        !hasShortRanges(moved.anchor, moved.fit.displacement))
-        return std::nullopt;
-    return AnchorDoubt{AnchorFault::Moved, moved.anchor, size_m};
+    return std::min(residual * residual / variance, m_settings.gateSds * m_settings.gateSds);
 }
 
-/// Where the displacement makes ranges too short the measured ones must be so too: those of an anchor that is
-/// hidden from one part of the plant are not.
-bool AnchorWatch::hasShortRanges(int anchor, const Eigen::Vector2d& displacement) const
+double AnchorWatch::costOf(const Report& report, const Eigen::Vector2d& place, int without) const
 {
-    std::array<double, AnchorFaultModel::mostSamples> shares{};
-    std::size_t count = 0;
-    for (const RangeSample& sample : m_driven.values()) {
-        const double expected_m = -m_model.direction(sample, anchor).dot(displacement);
-        const std::optional<double> residual_m = m_model.residualByOthers(sample, anchor);
-        if (residual_m && expected_m < -kShortRange_m)
-            shares[count++] = *residual_m / expected_m;
-    }
-    if (count < kLeastShortRanges)
-        return false;
-    const auto middle = shares.begin() + static_cast<std::ptrdiff_t>(count / 2);
-    std::nth_element(shares.begin(), middle, shares.begin() + static_cast<std::ptrdiff_t>(count));
-    return *middle > kShareOfExpected;
+    double cost = 0.0;
+    for (const AnchorRange& range : report.ranges)
+        if (range.index != without)
+            cost += capped(range.range_m - seenFrom(range, place, report.height_m).norm(),
+                           m_settings.sd_m * m_settings.sd_m);
+    return cost;
 }
 
-std::optional<AnchorDoubt> AnchorWatch::offsetAnchor(std::span<const RangeSample> samples) const
+std::optional<AnchorDoubt> AnchorWatch::candidate()
 {
-    const bool isOne = samples.size() == 1; // then the misfit is that of a few ranges
-    const double clearly = isOne ? kClearlyBetterStanding : kClearlyBetter;
-    const double much = isOne ? kClearlyBetterStanding : kMuchBetter;
-    const AnchorFaultFit asListed = m_model.fit(samples, AnchorFault::None, -1);
-    const BestFault offset = bestFault(m_model, samples, AnchorFault::Offset);
-    if (offset.fit.samples == 0 || std::abs(offset.fit.offset_m) < leastOffset_m ||
-        offset.betterBy(offset.nextCost) < clearly || offset.betterBy(asListed.cost) < much ||
-        offset.fit.misfit > kMisfitLeft * asListed.misfit)
-        return std::nullopt;
-    return AnchorDoubt{AnchorFault::Offset, offset.anchor, offset.fit.offset_m};
-}
-
-RangeSample AnchorWatch::medianWhileStanding() const
-{
-    RangeSample median;
-    median.position = m_place;
-    std::array<float, standingKept> values{};
-    for (std::size_t i = 0; i < median.range_m.size(); ++i) {
-        std::size_t count = 0;
-        for (const RangeSample& sample : m_standing.values())
-            if (sample.range_m[i] > 0.0F)
-                values[count++] = sample.range_m[i];
-        if (2 * count < m_standing.size())
+    std::array<int, kMaxAnchors> counts{};
+    double listedCost = 0.0;
+    for (const Report& report : m_reports) {
+        if (m_now_s - report.time_s > m_settings.window_s)
             continue;
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(count / 2);
-        std::nth_element(values.begin(), middle, values.begin() + static_cast<std::ptrdiff_t>(count));
-        median.range_m[i] = *middle;
+        listedCost += costOf(report, report.place, -1);
+        for (const AnchorRange& range : report.ranges)
+            ++counts.at(static_cast<std::size_t>(range.index));
     }
-    return median;
+    Hypothesis best;
+    best.cost = std::numeric_limits<double>::max();
+    double next = std::numeric_limits<double>::max();
+    for (int index = 0; index < kMaxAnchors; ++index) {
+        if (counts[static_cast<std::size_t>(index)] < m_settings.reportsNeeded)
+            continue;
+        const Hypothesis hypothesis = tryAnchor(index);
+        next = std::min(next, std::max(hypothesis.cost, best.cost));
+        if (hypothesis.cost < best.cost)
+            best = hypothesis;
+    }
+    if (best.index < 0 || best.cost > m_settings.explained * listedCost ||
+        next < m_settings.clearer * best.cost)
+        return std::nullopt;
+    return judge(best);
+}
+
+std::optional<AnchorDoubt> AnchorWatch::judge(const Hypothesis& hypothesis) const
+{
+    const Eigen::Vector2d& move = hypothesis.moved.move;
+    const Eigen::Matrix2d& covariance = hypothesis.moved.moveCovariance;
+    const double sds = std::sqrt(std::max(0.0, move.dot(covariance.inverse() * move)));
+    const double worstSd_m = std::sqrt(covariance.trace());
+    if (move.norm() >= m_settings.leastMove_m && sds >= m_settings.significantSds &&
+        worstSd_m <= mostMoveSd_m && hypothesis.moved.cost <= m_settings.explained * hypothesis.hidden.cost)
+        return AnchorDoubt{.index = hypothesis.index,
+                           .kind = AnchorDoubtKind::Moved,
+                           .amount_m = move.norm(),
+                           .displacement = {move.x(), move.y()}};
+    const double leastBias_m =
+        std::max(m_settings.leastBias_m, m_settings.significantSds * hypothesis.residualSd_m);
+    if (std::abs(hypothesis.residual_m) < leastBias_m || hypothesis.alike < mostAlike)
+        return std::nullopt;
+    return AnchorDoubt{.index = hypothesis.index,
+                       .kind =
+                           hypothesis.residual_m > 0.0 ? AnchorDoubtKind::TooLong : AnchorDoubtKind::TooShort,
+                       .amount_m = std::abs(hypothesis.residual_m),
+                       .displacement = {}};
+}
+
+AnchorWatch::Hypothesis AnchorWatch::tryAnchor(int index)
+{
+    Hypothesis hypothesis;
+    hypothesis.index = index;
+    m_sights.clear();
+    m_residuals_m.clear();
+    const double noise = m_settings.sd_m * m_settings.sd_m;
+    for (const Report& report : m_reports) {
+        if (m_now_s - report.time_s > m_settings.window_s)
+            continue;
+        const auto own = std::ranges::find(report.ranges, index, &AnchorRange::index);
+        const PlaceOfOthers others =
+            own == report.ranges.end()
+                ? PlaceOfOthers{}
+                : placeWithout(report.ranges, index, report.height_m, m_settings.sd_m, report.place);
+        if (!others.isGood) {
+            hypothesis.cost += costOf(report, report.place, -1);
+            continue;
+        }
+        hypothesis.cost += costOf(report, others.place, index);
+        Sight sight{.fromAnchor = seenFrom(*own, others.place, report.height_m), .range_m = own->range_m};
+        const double d = std::max(sight.fromAnchor.norm(), kLeastDistance_m);
+        const Eigen::Vector2d h = sight.fromAnchor.head<2>() / d;
+        sight.variance = noise + h.dot(others.covariance * h);
+        m_sights.push_back(sight);
+        m_residuals_m.push_back(sight.range_m - d);
+    }
+    if (m_sights.empty())
+        return hypothesis;
+    hypothesis.hidden = fitted(false);
+    hypothesis.moved = fitted(true);
+    hypothesis.cost += std::min(hypothesis.hidden.cost, hypothesis.moved.cost);
+    hypothesis.residual_m = median(m_residuals_m);
+    double variance = 0.0;
+    for (const Sight& sight : m_sights)
+        variance += sight.variance / static_cast<double>(m_sights.size());
+    hypothesis.residualSd_m = std::sqrt(variance);
+    const auto alike = std::ranges::count_if(m_residuals_m, [half = 0.5 * hypothesis.residual_m](double off) {
+        return half > 0.0 ? off >= half : off <= half;
+    });
+    hypothesis.alike = static_cast<double>(alike) / static_cast<double>(m_residuals_m.size());
+    return hypothesis;
+}
+
+/// Iterated least squares of (b, d) with b as small as delays are, or of any b alone.
+AnchorWatch::Fit AnchorWatch::fitted(bool mayMove) const
+{
+    constexpr int steps = 20;
+    constexpr double unknownSd_m = 1e3;
+    constexpr double settled_m = 1e-5;
+    Fit fit;
+    const double biasSd_m = mayMove ? m_settings.delaySd_m : unknownSd_m;
+    const Eigen::Vector3d prior(reportsOfOneError / (biasSd_m * biasSd_m), 1.0 / (unknownSd_m * unknownSd_m),
+                                1.0 / (unknownSd_m * unknownSd_m));
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+    const auto residualOf = [&](const Sight& sight, Eigen::Vector3d& h) {
+        Eigen::Vector3d apart = sight.fromAnchor;
+        apart.head<2>() -= fit.move;
+        const double d = std::max(apart.norm(), kLeastDistance_m);
+        h << 1.0, mayMove ? -apart.x() / d : 0.0, mayMove ? -apart.y() / d : 0.0;
+        return sight.range_m - d - fit.bias_m;
+    };
+    Eigen::Vector3d h;
+    for (int i = 0; i < steps; ++i) {
+        Eigen::Matrix3d information = prior.asDiagonal();
+        Eigen::Vector3d gradient(-prior(0) * fit.bias_m, -prior(1) * fit.move.x(), -prior(2) * fit.move.y());
+        for (const Sight& sight : m_sights) {
+            const double off = residualOf(sight, h);
+            // Cauchy's weight: what is far off hardly counts, yet pulls while everything is far off.
+            const double weight = 1.0 / (sight.variance + off * off / (cauchySds * cauchySds));
+            information += weight * h * h.transpose();
+            gradient += weight * h * off;
+        }
+        covariance = information.inverse();
+        const Eigen::Vector3d step = covariance * gradient;
+        if (!step.allFinite())
+            break;
+        fit.bias_m += step(0);
+        fit.move += step.tail<2>();
+        if (step.norm() < settled_m)
+            break;
+    }
+    fit.moveCovariance = reportsOfOneError * covariance.bottomRightCorner<2, 2>();
+    for (const Sight& sight : m_sights)
+        fit.cost += capped(residualOf(sight, h), sight.variance);
+    return fit;
 }
 
 } // namespace agv::estimation

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kBiasReweightings = 10;
 /// Places beyond this many sds weigh less (Huber).
-constexpr double kHuber = 1.5;
+constexpr double kBiasHuber = 1.5;
 constexpr double kSdOfMad = 1.4826;
 constexpr double kLeastNoise_m = 0.01;
 
@@ -55,7 +55,7 @@ Eigen::VectorXd solveRows(const std::vector<Row>& rows, const Eigen::VectorXd& p
         Eigen::VectorXd right = Eigen::VectorXd::Zero(prior.size());
         for (const Row& row : rows) {
             const double t = std::abs(row.error_m - row.predicted(unknowns)) / placeSd_m;
-            const double weight = (k > 0 && t > kHuber ? kHuber / t : 1.0) / (placeSd_m * placeSd_m);
+            const double weight = (k > 0 && t > kBiasHuber ? kBiasHuber / t : 1.0) / (placeSd_m * placeSd_m);
             for (std::size_t i = 0; i < 6; ++i) {
                 right(row.columns[i]) += weight * row.valueOf(i) * row.error_m;
                 for (std::size_t m = 0; m < 6; ++m)

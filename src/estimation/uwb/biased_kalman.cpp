@@ -7,7 +7,7 @@ namespace agv::estimation {
 
 namespace {
 
-constexpr double kGate = 3.0;
+constexpr double kBiasedGate = 3.0;
 
 } // namespace
 
@@ -45,7 +45,7 @@ MeasurementRecord BiasedKalman::update(double range_m)
     }
     record.innovation = range_m - m_settings.meanBias_m - m_state(0);
     record.variance = m_covariance(0, 0) + noise;
-    record.testRatio = record.innovation * record.innovation / (kGate * kGate * record.variance);
+    record.testRatio = record.innovation * record.innovation / (kBiasedGate * kBiasedGate * record.variance);
     record.weight = 1.0;
     record.fused = true;
     const Eigen::Vector2d gain = m_covariance.col(0) / record.variance;

@@ -12,7 +12,7 @@ namespace agv::estimation {
 
 namespace {
 
-constexpr double kGate = 3.0;
+constexpr double kPlanarGate = 3.0;
 
 } // namespace
 
@@ -61,7 +61,8 @@ const MeasurementRecords& PlanarEkf::update(AnchorRanges ranges)
         const double noise = range.sd_m * range.sd_m;
         record.innovation = range.range_m - d;
         record.variance = f.dot(m_covariance * f) + noise;
-        record.testRatio = record.innovation * record.innovation / (kGate * kGate * record.variance);
+        record.testRatio =
+            record.innovation * record.innovation / (kPlanarGate * kPlanarGate * record.variance);
         record.weight = 1.0;
         record.fused = true;
         m_records.add(record);

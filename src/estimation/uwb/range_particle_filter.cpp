@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "estimation/uwb/range_particle_filter.h"
 
+#include "estimation/log_sum_exp.h"
 #include "estimation/uwb/robust_fix.h"
 
 #include <algorithm>
@@ -11,17 +12,11 @@ namespace agv::estimation {
 namespace {
 
 /// Kernel width after resampling, in sds of the cloud.
-constexpr double kRoughening = 0.15;
+constexpr double kRangeRoughening = 0.15;
 /// Density of an outlier, 1/m: no range excludes a particle for good.
 constexpr double kOutlierDensity = 1e-4;
 constexpr double kSoftEdge_m = 0.01;
 constexpr double kLeastLog = -60.0;
-
-double logSum(double a, double b)
-{
-    const double most = std::max(a, b);
-    return most + std::log1p(std::exp(std::min(a, b) - most));
-}
 
 double spreadOf(const std::vector<double>& values)
 {
@@ -87,10 +82,10 @@ double RangeParticleFilter::logLikelihood(double error, double sd_m) const
     const double z = error / sd_m;
     double log = -0.5 * z * z - std::log(sd_m) - 0.91893853320467274178;
     if (m_settings.hidden > 0.0)
-        log = logSum(std::log1p(-m_settings.hidden) + log,
-                     std::log(m_settings.hidden) +
-                         logNormalPlusExponential(error, sd_m, m_settings.meanBias_m));
-    return logSum(log, std::log(kOutlierDensity));
+        log = logSumExp(std::log1p(-m_settings.hidden) + log,
+                        std::log(m_settings.hidden) +
+                            logNormalPlusExponential(error, sd_m, m_settings.meanBias_m));
+    return logSumExp(log, std::log(kOutlierDensity));
 }
 
 const MeasurementRecords& RangeParticleFilter::update(AnchorRanges ranges)
@@ -190,7 +185,7 @@ void RangeParticleFilter::resampleWhenNeeded()
                 reached += w[++source];
             m_spare[i] = (*column)[source];
         }
-        const double sd = kRoughening * spreadOf(m_spare);
+        const double sd = kRangeRoughening * spreadOf(m_spare);
         for (std::size_t i = 0; i < n; ++i)
             (*column)[i] = m_spare[i] + sd * m_random.normal();
     }

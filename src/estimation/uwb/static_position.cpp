@@ -10,7 +10,7 @@ namespace agv::estimation {
 
 namespace {
 
-constexpr double kCell_m = 0.005;
+constexpr double kGridCell_m = 0.005;
 constexpr int kGrid = 64;
 /// Best cells that are split in four at each level.
 constexpr std::size_t kKept = 512;
@@ -56,21 +56,21 @@ void StaticPosition::add(AnchorRanges ranges)
         if (!usable(range, m_settings.farthest_m))
             continue;
         Heard& heard = m_heard[static_cast<std::size_t>(range.index)];
-        heard.log.resize(static_cast<std::size_t>(m_settings.farthest_m / kCell_m) + 2, 0.0F);
+        heard.log.resize(static_cast<std::size_t>(m_settings.farthest_m / kGridCell_m) + 2, 0.0F);
         heard.shortest_m = heard.count > 0 ? std::min(heard.shortest_m, range.range_m) : range.range_m;
         heard.anchor = range.anchor;
         heard.sd_m = range.sd_m;
         ++heard.count;
         // Beyond these errors the density is the outlier's alone.
         const double most = m_settings.obstruction.meanBias_m * 12.0;
-        const auto first = static_cast<std::size_t>(std::max(range.range_m - most, 0.0) / kCell_m);
+        const auto first = static_cast<std::size_t>(std::max(range.range_m - most, 0.0) / kGridCell_m);
         const std::size_t last = std::min(
-            static_cast<std::size_t>((range.range_m + 8.0 * range.sd_m) / kCell_m), heard.log.size() - 1);
+            static_cast<std::size_t>((range.range_m + 8.0 * range.sd_m) / kGridCell_m), heard.log.size() - 1);
         const auto outlier = static_cast<float>(std::log(m_settings.outlier));
         for (std::size_t i = first; i <= last; ++i)
-            heard.log[i] +=
-                static_cast<float>(logRange(range.range_m - kCell_m * static_cast<double>(i), range.sd_m)) -
-                outlier;
+            heard.log[i] += static_cast<float>(
+                                logRange(range.range_m - kGridCell_m * static_cast<double>(i), range.sd_m)) -
+                            outlier;
     }
     ++m_reports;
 }
@@ -84,7 +84,7 @@ float StaticPosition::logAt(double x, double y) const
         const double dx = x - heard.anchor.x();
         const double dy = y - heard.anchor.y();
         const double dz = m_settings.height_m - heard.anchor.z();
-        const double cells = std::sqrt(dx * dx + dy * dy + dz * dz) * (1.0 / kCell_m);
+        const double cells = std::sqrt(dx * dx + dy * dy + dz * dz) * (1.0 / kGridCell_m);
         // NOLINTNEXTLINE(bugprone-incorrect-roundings): a distance is not negative; inner loop
         const auto cell = static_cast<std::size_t>(cells + 0.5);
         sum += cell < heard.log.size() ? heard.log[cell] : 0.0F;

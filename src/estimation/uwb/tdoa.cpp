@@ -14,7 +14,7 @@ namespace {
 constexpr double kSameFit = 1.0;
 
 using DifferenceRows = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, kMaxAnchors, 2>;
-using Columns = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, kMaxAnchors, 2>;
+using TdoaColumns = Eigen::Matrix<double, Eigen::Dynamic, 2, 0, kMaxAnchors, 2>;
 using Differences = std::span<const RangeDifference>;
 
 FixStatus check(Differences anchors, double height_m)
@@ -100,7 +100,7 @@ UwbFix tdoaFix(std::span<const RangeDifference> anchors, double height_m)
     const auto n = static_cast<Eigen::Index>(anchors.size()) - 1;
     const double rise = height_m - origin.z();
     DifferenceRows a(n, 2);
-    Columns bc(n, 2); // B and C of 5.14, relative to the first anchor
+    TdoaColumns bc(n, 2); // B and C of 5.14, relative to the first anchor
     for (Eigen::Index i = 0; i < n; ++i) {
         const RangeDifference& other = anchors[static_cast<std::size_t>(i) + 1];
         const Eigen::Vector3d base = other.anchor - origin;

@@ -83,7 +83,7 @@ void paintName(QPainter& painter, const Viewport& viewport, const AgvMark& mark,
     painter.drawText(plate, Qt::AlignCenter, name);
 }
 
-void paintWarning(QPainter& painter, QPointF at, const Theme& theme)
+void paintWarning(QPainter& painter, QPointF at, const QString& sign, const Theme& theme)
 {
     const QPolygonF triangle{at + QPointF(0, -11), at + QPointF(11, 8), at + QPointF(-11, 8)};
     painter.setPen(QPen(theme.raised, 1.5, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
@@ -94,7 +94,7 @@ void paintWarning(QPainter& painter, QPointF at, const Theme& theme)
     font.setBold(true);
     painter.setFont(font);
     painter.setPen(theme.raised);
-    painter.drawText(QRectF(at - QPointF(11, 9), QSizeF(22, 19)), Qt::AlignCenter, QStringLiteral("!"));
+    painter.drawText(QRectF(at - QPointF(11, 9), QSizeF(22, 19)), Qt::AlignCenter, sign);
 }
 
 } // namespace
@@ -109,7 +109,7 @@ void paintAgv(QPainter& painter, const Viewport& viewport, const AgvMark& mark, 
 
     QColor body = theme.agvBody;
     body.setAlpha(mark.certainty == PoseCertainty::Known ? 210 : 90);
-    const bool tentative = mark.certainty == PoseCertainty::Tentative;
+    const bool tentative = mark.certainty != PoseCertainty::Known;
     painter.setPen(QPen(mark.selected ? theme.estimate : theme.agvEdge, mark.selected ? 2.4 : 1.6,
                         tentative ? Qt::DashLine : Qt::SolidLine));
     painter.setBrush(body);
@@ -119,8 +119,11 @@ void paintAgv(QPainter& painter, const Viewport& viewport, const AgvMark& mark, 
     painter.setBrush(mark.selected ? theme.estimate : theme.agvEdge);
     painter.drawPolygon(arrow(viewport, mark.pose, mark.config->radius_m));
     paintName(painter, viewport, mark, theme);
+    const QPointF corner = centre + QPointF(0.75 * radius, -0.75 * radius);
     if (mark.mayBeMoving)
-        paintWarning(painter, centre + QPointF(0.75 * radius, -0.75 * radius), theme);
+        paintWarning(painter, corner, QStringLiteral("!"), theme);
+    else if (mark.certainty == PoseCertainty::Doubted)
+        paintWarning(painter, corner, QStringLiteral("?"), theme);
     painter.restore();
 }
 

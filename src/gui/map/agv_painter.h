@@ -12,6 +12,7 @@ namespace agv::gui {
 enum class PoseCertainty {
     Known,     ///< accepted or solved
     Tentative, ///< preview while the AGV still turns: dashed
+    Doubted,   ///< it was moved, or nobody knows how it moved: dashed, pale, with a question mark
 };
 
 struct AgvMark {

@@ -2,6 +2,7 @@
 // What the map says about the thing under the pointer.
 #include "gui/map/map_widget.h"
 
+#include "gui/map/map_agvs.h"
 #include "model/messages.h"
 #include "model/uncertainty.h"
 #include "model/words.h"
@@ -55,6 +56,8 @@ QString MapWidget::agvDetails(const AgvSnapshot& agv) const
                      .arg(Words::millimetres(pose->position.x), Words::millimetres(pose->position.y),
                           Words::degrees(pose->heading, 1));
     }
+    if (!agv.poseNote.empty())
+        lines << model::Messages::sentence(agv.poseNote);
     lines << Words::robotState(isConnected(agv.robotLink), agv.robotState);
     if (agv.battery)
         lines << tr("Battery %1").arg(Words::volts(agv.battery->voltage_V));
@@ -66,8 +69,8 @@ QString MapWidget::agvDetails(const AgvSnapshot& agv) const
 QString MapWidget::stopDetails(QPointF pixel) const
 {
     for (const AgvSnapshot& agv : m_snapshot.agvs) {
-        const auto& estimate = agv.turn.result ? agv.turn.result : agv.turn.preview;
-        if (!estimate || !estimate->valid)
+        const TurnEstimate* estimate = shownEstimate(agv);
+        if (!estimate)
             continue;
         for (std::size_t i = 0; i < estimate->stops.size(); ++i) {
             const StopReport& stop = estimate->stops[i];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/map/map_widget.h"
 
-#include "gui/map/agv_painter.h"
+#include "gui/map/map_agvs.h"
 #include "gui/map/station_painter.h"
 #include "gui/map/turn_painter.h"
 
@@ -20,12 +20,6 @@ namespace {
 
 constexpr double zoomStep = 1.25;
 constexpr double panStep_px = 60.0;
-
-const TurnEstimate* estimateOf(const AgvSnapshot& agv)
-{
-    const TurnEstimate* estimate = agv.turn.result ? agv.turn.result.get() : agv.turn.preview.get();
-    return estimate && estimate->valid ? estimate : nullptr;
-}
 
 } // namespace
 
@@ -82,17 +76,6 @@ void MapWidget::setSelectedRobot(int robot)
     m_selected = robot;
     follow();
     update();
-}
-
-std::optional<Pose2> MapWidget::drawnPose(int robot) const
-{
-    for (const AgvSnapshot& agv : m_snapshot.agvs) {
-        if (agv.id.number != robot)
-            continue;
-        const TurnEstimate* estimate = estimateOf(agv);
-        return estimate ? std::optional(estimate->pose) : agv.pose;
-    }
-    return {};
 }
 
 QMarginsF MapWidget::fitMargins() const { return {rulerWidth + 24.0, 24.0, 24.0, rulerHeight + 24.0}; }
@@ -185,7 +168,7 @@ void MapWidget::paintEvent(QPaintEvent*)
     if (large)
         paintReads(painter);
     for (const AgvSnapshot& agv : m_snapshot.agvs) {
-        if (const TurnEstimate* estimate = estimateOf(agv))
+        if (const TurnEstimate* estimate = shownEstimate(agv))
             paintStops(painter, m_viewport, *estimate, m_theme);
     }
     if (m_snapshot.uwb)
@@ -346,51 +329,6 @@ std::vector<QRectF> MapWidget::stationNames() const
         }
     }
     return placeStationNames(QFontMetricsF(font()), m_viewport, m_plant, drawingArea(), taken);
-}
-
-void MapWidget::paintReads(QPainter& painter) const
-{
-    const double size = readSize();
-    for (const AgvSnapshot& agv : m_snapshot.agvs) {
-        for (const TagRead& read : agv.recentReads) {
-            const auto found = m_tags.find(read.uid);
-            if (found == m_tags.end())
-                continue;
-            const QPointF at = m_viewport.toPixels(found->second);
-            painter.setPen(QPen(m_theme.mapFloor, 1.0));
-            painter.setBrush(m_theme.floorTagNow);
-            painter.drawPolygon(QPolygonF{at + QPointF(0, -size), at + QPointF(size, 0),
-                                          at + QPointF(0, size), at + QPointF(-size, 0)});
-            if (size < 9.0)
-                continue;
-            painter.setPen(m_theme.accentText);
-            painter.drawText(QRectF(at - QPointF(size, size), QSizeF(2 * size, 2 * size)), Qt::AlignCenter,
-                             QString::number(read.rssi));
-        }
-    }
-}
-
-void MapWidget::paintAgvs(QPainter& painter) const
-{
-    const double range = m_plant.rssiTable.empty() ? 0.0 : m_plant.rssiTable.front().upperEdge;
-    for (const AgvSnapshot& agv : m_snapshot.agvs) {
-        const AgvConfig* config = m_plant.findAgv(agv.id);
-        const TurnEstimate* estimate = estimateOf(agv);
-        const std::optional<Pose2> pose = drawnPose(agv.id.number);
-        if (!config || !pose)
-            continue;
-        const bool preview = estimate && !agv.turn.result;
-        paintAgv(painter, m_viewport,
-                 {config, *pose, preview ? PoseCertainty::Tentative : PoseCertainty::Known,
-                  agv.id.number == m_selected, agv.mayBeMoving},
-                 range, m_theme);
-        if (!estimate)
-            continue;
-        paintEstimate(painter, m_viewport, *estimate, *config,
-                      preview ? EstimateStage::Preview : EstimateStage::Result, m_theme);
-        if (!preview && estimate->alternative)
-            paintAlternative(painter, m_viewport, *config, estimate->alternative->pose, m_theme);
-    }
 }
 
 } // namespace agv::gui

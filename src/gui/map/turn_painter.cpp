@@ -12,26 +12,26 @@
 namespace agv::gui {
 namespace {
 
-void paintWedge(QPainter& painter, const Viewport& viewport, const TurnEstimate& estimate, double length_m,
-                const Theme& theme)
+void paintWedge(QPainter& painter, const Viewport& viewport, const Pose2& pose, double headingSd,
+                double length_m, const Theme& theme)
 {
-    const double half = std::min(degFromRad(model::normal95 * estimate.lastHeadingSd), 180.0);
+    const double half = std::min(degFromRad(model::normal95 * headingSd), 180.0);
     const double length = viewport.toPixels(length_m);
-    const QPointF centre = viewport.toPixels(estimate.pose.position);
+    const QPointF centre = viewport.toPixels(pose.position);
     QColor tint = theme.estimate;
     tint.setAlpha(theme.dark ? 80 : 60);
     painter.setPen(QPen(theme.estimate, 1.0));
     painter.setBrush(tint);
     painter.drawPie(QRectF(centre - QPointF(length, length), QSizeF(2.0 * length, 2.0 * length)),
-                    static_cast<int>(std::lround((degFromRad(estimate.pose.heading) - half) * 16.0)),
+                    static_cast<int>(std::lround((degFromRad(pose.heading) - half) * 16.0)),
                     static_cast<int>(std::lround(2.0 * half * 16.0)));
 }
 
-void paintEllipse(QPainter& painter, const Viewport& viewport, const TurnEstimate& estimate,
-                  const Theme& theme)
+void paintEllipse(QPainter& painter, const Viewport& viewport, const Pose2& pose,
+                  const PoseCovariance& covariance, const Theme& theme)
 {
-    const model::Ellipse95 ellipse = model::ellipse95(estimate.covariance);
-    const QPointF centre = viewport.toPixels(estimate.pose.position);
+    const model::Ellipse95 ellipse = model::ellipse95(covariance);
+    const QPointF centre = viewport.toPixels(pose.position);
     QColor tint = theme.estimate;
     tint.setAlpha(70);
     painter.save();
@@ -51,12 +51,22 @@ void paintEstimate(QPainter& painter, const Viewport& viewport, const TurnEstima
     if (!estimate.valid)
         return;
     painter.save();
-    paintWedge(painter, viewport, estimate, 1.35 * config.radius_m, theme);
+    paintWedge(painter, viewport, estimate.pose, estimate.lastHeadingSd, 1.35 * config.radius_m, theme);
     const double radius = viewport.toPixels(estimate.radius_m);
     painter.setPen(QPen(theme.estimate, 1.2, stage == EstimateStage::Preview ? Qt::DashLine : Qt::SolidLine));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(viewport.toPixels(estimate.pose.position), radius, radius);
-    paintEllipse(painter, viewport, estimate, theme);
+    paintEllipse(painter, viewport, estimate.pose, estimate.covariance, theme);
+    painter.restore();
+}
+
+void paintUncertainty(QPainter& painter, const Viewport& viewport, const Pose2& pose,
+                      const PoseCovariance& covariance, const AgvConfig& config, const Theme& theme)
+{
+    painter.save();
+    paintWedge(painter, viewport, pose, std::sqrt(std::max(covariance[8], 0.0)), 1.35 * config.radius_m,
+               theme);
+    paintEllipse(painter, viewport, pose, covariance, theme);
     painter.restore();
 }
 

@@ -17,6 +17,10 @@ enum class EstimateStage { Preview, Result };
 void paintEstimate(QPainter& painter, const Viewport& viewport, const TurnEstimate& estimate,
                    const AgvConfig& config, EstimateStage stage, const Theme& theme);
 
+/// The uncertainty of a pose: 95 % ellipse of the centre, 95 % wedge of the heading.
+void paintUncertainty(QPainter& painter, const Viewport& viewport, const Pose2& pose,
+                      const PoseCovariance& covariance, const AgvConfig& config, const Theme& theme);
+
 /// Its numbered antenna positions, painted last because the numbers must stay readable. A stop that does not
 /// fit (tags missed, unknown or out of place) is a diamond instead of a disc.
 void paintStops(QPainter& painter, const Viewport& viewport, const TurnEstimate& estimate,

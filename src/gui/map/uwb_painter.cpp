@@ -11,7 +11,7 @@
 namespace agv::gui {
 namespace {
 
-constexpr double anchorSize_px = 7.0;
+constexpr double mapAnchorSize_px = 7.0;
 constexpr double crossSize_px = 5.0;
 
 void paintTrail(QPainter& painter, const Viewport& viewport, const std::deque<Point2>& trail,
@@ -86,7 +86,7 @@ void paintUwbAnchors(QPainter& painter, const Viewport& viewport, const PlantLay
         if (!anchor.shown)
             continue;
         const QPointF at = viewport.toPixels(Point2{anchor.x, anchor.y});
-        const double size = anchorSize_px;
+        const double size = mapAnchorSize_px;
         painter.setPen(QPen(theme.stationEdge, 1.4));
         painter.setBrush(theme.raised);
         painter.drawPolygon(QPolygonF{at + QPointF(0.0, -size), at + QPointF(size, 0.8 * size),
