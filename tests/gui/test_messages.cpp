@@ -265,13 +265,15 @@ void MessagesTest::whatToKnowOfARangeCalibrationHasItsGermanSentence()
 
 void MessagesTest::whyAnAnchorIsDoubtedHasItsGermanSentence()
 {
-    using estimation::AnchorFault;
-    for (const estimation::AnchorDoubt& doubt : {estimation::AnchorDoubt{AnchorFault::Moved, 2, 0.32},
-                                                 estimation::AnchorDoubt{AnchorFault::Offset, 2, 0.32},
-                                                 estimation::AnchorDoubt{AnchorFault::Offset, 2, -0.32}})
-        checkTranslated(estimation::toText(doubt));
+    using estimation::AnchorDoubtKind;
+    const auto doubtOf = [](AnchorDoubtKind kind) {
+        return estimation::AnchorDoubt{.index = 2, .kind = kind, .amount_m = 0.32, .displacement = {}};
+    };
+    for (const AnchorDoubtKind kind :
+         {AnchorDoubtKind::Moved, AnchorDoubtKind::TooLong, AnchorDoubtKind::TooShort})
+        checkTranslated(estimation::toText(doubtOf(kind)));
     QCOMPARE(
-        Messages::sentence("Anchor 2: " + estimation::toText({AnchorFault::Moved, 2, 0.32})),
+        Messages::sentence("Anchor 2: " + estimation::toText(doubtOf(AnchorDoubtKind::Moved))),
         QStringLiteral("Anker 2: Die Abstände passen zu einem Ort 320 mm neben dem in der Liste: den Anker "
                        "neu einmessen oder zurückstellen"));
 }

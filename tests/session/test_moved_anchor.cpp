@@ -126,27 +126,26 @@ TEST(MovedAnchor, IsNamedAndItsDisplacementToldWhileATagDrives)
             " mm from the one in the list: measure the anchor again or restore it"));
         EXPECT_NEAR(std::stod(four.last->text.substr(19)), 500.0, 100.0);
     }
-    Plant eight(kitAnchors(8));
-    eight.settings.anchors[0].x += 0.5;
-    eight.run(180s, drive);
-    EXPECT_TRUE(isNamed(eight, 0, "Ranges fit a place "));
 }
 
 TEST(MovedAnchor, NoOtherIsNamedWhicheverIsMovedAndWhereTo)
 {
-    int named = 0;
-    for (std::size_t moved = 0; moved < 4; ++moved)
-        for (const Point2 by :
-             {Point2{0.5, 0.0}, Point2{0.0, 0.5}, Point2{-0.35, -0.35}, Point2{-0.35, 0.35}}) {
-            Plant plant(kitAnchors(4), 7 + moved);
-            plant.settings.anchors[moved].x += by.x;
-            plant.settings.anchors[moved].y += by.y;
-            plant.run(180s, drive);
-            for (const auto& [text, count] : plant.doubts)
-                EXPECT_TRUE(text.starts_with("A" + std::to_string(moved))) << moved << ": " << text;
-            named += plant.doubts.empty() ? 0 : 1;
-        }
-    EXPECT_GE(named, 6); // not always, but often enough to be worth looking at
+    for (const int count : {4, 8}) {
+        int named = 0;
+        for (std::size_t moved = 0; moved < static_cast<std::size_t>(count); ++moved)
+            for (const Point2 by :
+                 {Point2{0.5, 0.0}, Point2{0.0, 0.5}, Point2{-0.35, -0.35}, Point2{-0.35, 0.35}}) {
+                Plant plant(kitAnchors(count), 7 + moved);
+                plant.settings.anchors[moved].x += by.x;
+                plant.settings.anchors[moved].y += by.y;
+                plant.run(180s, drive);
+                for (const auto& [text, times] : plant.doubts)
+                    EXPECT_TRUE(text.starts_with("A" + std::to_string(moved))) << moved << ": " << text;
+                named += plant.doubts.empty() ? 0 : 1;
+            }
+        RecordProperty("named_of_" + std::to_string(4 * count), named);
+        EXPECT_GE(named, 3 * count); // not always, but often enough to be worth looking at
+    }
 }
 
 TEST(MovedAnchor, ObstructionsOfTenMinutesAreNoReasonWhetherTheTagDrivesOrStands)

@@ -10,6 +10,7 @@
 #include "simulation/plant.h"
 #include "simulation/uwb_kit.h"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,14 +44,22 @@ PlantLayout hall(bool hasFloorTags)
     return plant;
 }
 
+simulation::PlantSettings settingsFor(std::uint64_t seed, double acceleration_m_s2)
+{
+    simulation::PlantSettings settings;
+    settings.seed = seed;
+    settings.drive.acceleration_m_s2 = acceleration_m_s2;
+    return settings;
+}
+
 /// One AGV that stands where a turn has just found it.
 class Drive {
 public:
-    explicit Drive(std::uint64_t seed, bool hasFloorTags = true, bool hasUwb = false)
+    /// Without floor tags: the console knows of none.
+    explicit Drive(std::uint64_t seed, bool hasFloorTags = true, bool hasUwb = false,
+                   double acceleration_m_s2 = 1.0)
         : layout(hall(hasFloorTags)),
-          plant(simulation::Plant::create(
-                    layout, {.seed = seed, .charge = {}, .drive = {}, .battery = {}, .reader = {}})
-                    .value()),
+          plant(simulation::Plant::create(hall(true), settingsFor(seed, acceleration_m_s2)).value()),
           tracker(layout, layout.agvs[0], seed),
           m_random(seed)
     {
@@ -175,13 +184,16 @@ double percentile95(std::vector<double> values)
     return *at;
 }
 
-TEST(VehicleTracker, FollowsADriveOverTheFloorTagsByTheCommandsAlone)
+/// Nobody knows how fast the wheels of the real robots take up another speed.
+class VehicleTrackerOnWheels : public testing::TestWithParam<double> {};
+
+TEST_P(VehicleTrackerOnWheels, FollowsADriveOverTheFloorTagsByTheCommandsAloneWithAnHonestUncertainty)
 {
     std::vector<double> errors_m;
     std::vector<double> errors_rad;
     int inside = 0;
-    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-        Drive drive(seed);
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        Drive drive(seed, true, false, GetParam());
         drive.driveAround();
         EXPECT_EQ(drive.tracked().health, PoseHealth::Tracked) << seed << drive.tracked().note;
         errors_m.insert(errors_m.end(), drive.errors_m.begin(), drive.errors_m.end());
@@ -193,11 +205,13 @@ TEST(VehicleTracker, FollowsADriveOverTheFloorTagsByTheCommandsAlone)
     RecordProperty("p95_mm", std::to_string(mmFromMetres(percentile95(errors_m))));
     RecordProperty("heading_mean_deg", std::to_string(degFromRad(mean(errors_rad))));
     RecordProperty("inside_95", std::to_string(share));
-    EXPECT_LT(mmFromMetres(mean(errors_m)), 8.0);
-    EXPECT_LT(mmFromMetres(percentile95(errors_m)), 20.0);
-    EXPECT_LT(degFromRad(mean(errors_rad)), 2.0);
-    EXPECT_GT(share, 0.80);
+    EXPECT_LT(mmFromMetres(mean(errors_m)), 5.5);
+    EXPECT_LT(mmFromMetres(percentile95(errors_m)), 12.0);
+    EXPECT_LT(degFromRad(mean(errors_rad)), 1.3);
+    EXPECT_GT(share, 0.85);
 }
+
+INSTANTIATE_TEST_SUITE_P(Accelerations, VehicleTrackerOnWheels, testing::Values(0.5, 1.0, 4.0));
 
 TEST(VehicleTracker, ForAnHourOfStandingThePoseGetsNeitherBetterNorWorse)
 {
@@ -216,7 +230,7 @@ TEST(VehicleTracker, ForAnHourOfStandingThePoseGetsNeitherBetterNorWorse)
 
 TEST(VehicleTracker, DoubtsThePoseOfAnAgvThatIsPushedByHandWithinAFewSeconds)
 {
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         Drive drive(seed);
         drive.run(5s);
         ASSERT_EQ(drive.tracked().health, PoseHealth::Tracked);
@@ -246,7 +260,7 @@ TEST(VehicleTracker, WithoutFloorTagsRangesKeepThePoseFromDriftingAway)
 {
     std::vector<double> withRanges_m;
     std::vector<double> without_m;
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         Drive drive(seed, false, true);
         drive.driveAround();
         withRanges_m.push_back(drive.errors_m.back());

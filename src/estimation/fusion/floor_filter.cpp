@@ -118,6 +118,20 @@ void FloorFilter::predict(double left_m_s, double right_m_s, double dt_s)
     summarise();
 }
 
+void FloorFilter::slip(double left_m, double right_m)
+{
+    if (!m_started)
+        return;
+    for (std::size_t i = 0; i < m_x.size(); ++i) {
+        const double left = left_m * m_random.normal();
+        const double right = right_m * m_random.normal();
+        m_x[i] += 0.5 * (left + right) * std::cos(m_heading[i]);
+        m_y[i] += 0.5 * (left + right) * std::sin(m_heading[i]);
+        m_heading[i] += (right - left) / m_settings.track_m;
+    }
+    summarise();
+}
+
 void FloorFilter::place(Point2 offset)
 {
     for (std::size_t i = 0; i < m_x.size(); ++i) {

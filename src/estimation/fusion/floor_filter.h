@@ -52,6 +52,8 @@ public:
     bool started() const { return m_started; }
     /// Moves by the wheel speeds (m/s) that held for dt_s.
     void predict(double left_m_s, double right_m_s, double dt_s);
+    /// The wheels may have gone farther than predict() was told, or less: by these sds, m.
+    void slip(double left_m, double right_m);
     /// Reads since the last step. A tag that is not on the floor plan is recorded as rejected.
     const MeasurementRecords& update(std::span<const FloorRead> reads);
     /// Ranges of a UWB tag at `tag` (vehicle frame, m), `height_m` above the floor. `share`, 0 to 1: how much

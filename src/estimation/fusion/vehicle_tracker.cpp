@@ -8,9 +8,14 @@ namespace agv::estimation {
 namespace {
 
 constexpr Duration kLongestStep = std::chrono::milliseconds(40);
+/// The wheels do not take up a new speed at once; assumed, no data sheet says it.
+constexpr double kAcceleration_m_s2 = 0.8;
+constexpr double kRampError = 0.8; ///< sd, of the way that a ramp takes away
+constexpr Duration kRampStep = std::chrono::milliseconds(20);
 /// Every step adds noise and costs time; what is nearer counts for the step before.
 constexpr Duration kShortestStep = std::chrono::milliseconds(10);
-/// Commanded speeds are worse than measured ones: slip, a weak battery, ramps.
+constexpr int kTrackerParticles = 1200; ///< 3000 are hardly better, and a plant has several AGVs
+/// Commanded speeds are worse than measured ones: slip, a weak battery.
 constexpr double kCommandScaleSd = 0.10;
 constexpr int kReadsThatCount = 2; ///< of a tag at one place: 1 / kReadCorrelation
 constexpr double kPlaceOfReads_m = 0.01;
@@ -26,10 +31,22 @@ constexpr double kFarOff_m = 0.6;
 
 FloorFilterSettings settingsFor(const AgvConfig& agv, std::uint64_t seed)
 {
-    return {.track_m = agv.track_m, .antenna = agv.antenna, .wheelScaleSd = kCommandScaleSd, .seed = seed};
+    return {.particles = kTrackerParticles,
+            .track_m = agv.track_m,
+            .antenna = agv.antenna,
+            .wheelScaleSd = kCommandScaleSd,
+            .seed = seed};
 }
 
 double fasterOf(const WheelSpeeds& speeds) { return std::max(std::abs(speeds.left), std::abs(speeds.right)); }
+
+/// What a wheel goes farther, or less, than thought while it takes up another speed.
+double rampSlip_m(double change_m_s)
+{
+    return kRampError * change_m_s * change_m_s / (2.0 * kAcceleration_m_s2);
+}
+
+double approached(double from, double to, double most) { return from + std::clamp(to - from, -most, most); }
 
 std::string inMm(double metres) { return std::to_string(std::lround(mmFromMetres(metres))) + " mm"; }
 
@@ -60,10 +77,11 @@ void VehicleTracker::doubt(const std::string& why)
 
 void VehicleTracker::wheels(const WheelSpeeds& speeds, Time now)
 {
-    if (speeds == m_speeds)
+    if (speeds == m_commanded)
         return;
     advance(now, Duration::zero());
-    m_speeds = speeds;
+    m_filter.slip(rampSlip_m(speeds.left - m_speeds.left), rampSlip_m(speeds.right - m_speeds.right));
+    m_commanded = speeds;
 }
 
 /// What is left of the time is shorter than `shortest`.
@@ -71,14 +89,20 @@ void VehicleTracker::advance(Time now, Duration shortest)
 {
     if (!started())
         return;
-    if (m_speeds == WheelSpeeds{}) {
-        m_time = std::max(m_time, now);
-        return;
-    }
     while (now - m_time >= std::max(shortest, Duration(1))) {
-        const Duration step = std::min<Duration>(kLongestStep, now - m_time);
-        m_filter.predict(m_speeds.left, m_speeds.right, secondsFrom(step));
-        m_way_m += fasterOf(m_speeds) * secondsFrom(step);
+        if (m_speeds == WheelSpeeds{} && m_commanded == WheelSpeeds{}) {
+            m_time = now;
+            return;
+        }
+        const bool isRamp = m_speeds != m_commanded;
+        const Duration step = std::min<Duration>(isRamp ? kRampStep : kLongestStep, now - m_time);
+        const double most_m_s = kAcceleration_m_s2 * secondsFrom(step);
+        const WheelSpeeds before = m_speeds;
+        m_speeds = {approached(before.left, m_commanded.left, most_m_s),
+                    approached(before.right, m_commanded.right, most_m_s)};
+        const WheelSpeeds mean{0.5 * (before.left + m_speeds.left), 0.5 * (before.right + m_speeds.right)};
+        m_filter.predict(mean.left, mean.right, secondsFrom(step));
+        m_way_m += fasterOf(mean) * secondsFrom(step);
         m_time += step;
     }
 }

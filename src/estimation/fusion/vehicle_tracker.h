@@ -54,7 +54,8 @@ private:
     TagMap m_tags;
     double m_track_m;
     FloorFilter m_filter;
-    WheelSpeeds m_speeds;
+    WheelSpeeds m_commanded;
+    WheelSpeeds m_speeds;         ///< that the wheels have reached by m_time
     Time m_time;                  ///< of the filter's state
     double m_way_m = 0.0;         ///< of the faster wheel, since the start
     double m_heardAt_m = 0.0;     ///< m_way_m at the last measurement that fitted
