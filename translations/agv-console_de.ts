@@ -2561,6 +2561,30 @@ x %3, y %4, Höhe %5</translation>
         <source>Not saved: %1</source>
         <translation>Nicht gespeichert: %1</translation>
     </message>
+    <message>
+        <source>Its pose is doubted. %1</source>
+        <translation>Seine Pose ist zweifelhaft. %1</translation>
+    </message>
+    <message>
+        <source>The floor tags it reads lie elsewhere: it was moved or slipped; calibrate it again</source>
+        <translation>Die Bodentags, die es liest, liegen anderswo: Es wurde bewegt oder ist gerutscht; neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Its UWB tag is elsewhere: it was moved; calibrate it again</source>
+        <translation>Sein UWB-Tag ist anderswo: Es wurde bewegt; neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>It drove by itself to dock or undock: calibrate it again</source>
+        <translation>Es ist zum An- oder Abdocken selbst gefahren: neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>The link to the robot was lost while it drove: calibrate it again</source>
+        <translation>Die Verbindung zum Roboter riss ab, während er fuhr: neu kalibrieren</translation>
+    </message>
+    <message>
+        <source>Nothing measured for the last %1 mm of its way: the pose is what the commanded speeds make of it</source>
+        <translation>Auf den letzten %1 mm seines Wegs wurde nichts gemessen: Die Pose folgt nur aus den befohlenen Geschwindigkeiten</translation>
+    </message>
 </context>
 <context>
     <name>agv::model::RangeCalibrationModel</name>

@@ -2556,6 +2556,30 @@ x %3, y %4, height %5</source>
         <source>Not saved: %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Its pose is doubted. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The floor tags it reads lie elsewhere: it was moved or slipped; calibrate it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its UWB tag is elsewhere: it was moved; calibrate it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It drove by itself to dock or undock: calibrate it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The link to the robot was lost while it drove: calibrate it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing measured for the last %1 mm of its way: the pose is what the commanded speeds make of it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>agv::model::RangeCalibrationModel</name>
