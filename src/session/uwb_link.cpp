@@ -48,7 +48,8 @@ UwbLink::UwbLink(const PlantLayout& plant, UwbLinkParameters parameters, QObject
       m_timer(new QTimer(this)),
       m_life(parameters.life),
       m_handshake(parameters.handshake),
-      m_anchorStatistics(plant.anchors)
+      m_anchorStatistics(plant.anchors),
+      m_anchorWatch(parameters.anchorWatch)
 {
     m_stream.dialect().setOverride(m_settings.dialect);
     m_timer->setSingleShot(true);

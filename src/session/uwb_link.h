@@ -31,6 +31,7 @@ namespace agv::session {
 struct UwbLinkParameters {
     procedure::LinkLifeParameters life = usualLife();
     procedure::UwbHandshakeParameters handshake;
+    estimation::AnchorWatchSettings anchorWatch;
     link::SerialPortLister ports = link::availableSerialPorts;
 
     /// A unit that is plugged in and whose tags are all off is silent and well: it is not reopened soon.

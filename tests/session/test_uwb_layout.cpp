@@ -220,6 +220,10 @@ private:
     {
         SessionOptions options;
         options.uwb = m_kit->parameters();
+        // The kit's time runs faster than the console's.
+        options.uwb.anchorWatch.sampleEvery_s = 0.005;
+        options.uwb.anchorWatch.decideEvery_s = 0.2;
+        options.uwb.anchorWatch.moved_s = 0.5;
         m_last = {};
         m_snapshots = m_connections = 0;
         m_warnings.clear();
