@@ -1000,6 +1000,10 @@ x %3, y %4, Höhe %5</translation>
         <source>AGV %1 may still be moving: go and look, and use the switch of the AGV.</source>
         <translation>AGV %1 fährt vielleicht noch: Sehen Sie nach und benutzen Sie den Schalter des AGV.</translation>
     </message>
+    <message>
+        <source>No longer where it was located: AGV %1. Choose it and press Calibrate.</source>
+        <translation>Nicht mehr dort, wo es geortet wurde: AGV %1. Wählen Sie es und drücken Sie Kalibrieren.</translation>
+    </message>
 </context>
 <context>
     <name>agv::gui::PlantFileDialog</name>

@@ -995,6 +995,10 @@ x %3, y %4, height %5</source>
         <source>AGV %1 may still be moving: go and look, and use the switch of the AGV.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>No longer where it was located: AGV %1. Choose it and press Calibrate.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>agv::gui::PlantFileDialog</name>

@@ -36,14 +36,20 @@ QString NextStep::text(const PlantLayout& plant, const PlantSnapshot& snapshot)
         return tr("The plant file names no AGV. Add one there and start again.");
     QStringList turning;
     QStringList unknown;
+    QStringList doubted;
     for (const AgvSnapshot& agv : agvs) {
         if (isRunning(agv.turn.phase))
             turning << QString::number(agv.id.number);
         else if (!isLocated(agv))
             unknown << QString::number(agv.id.number);
+        else if (agv.poseHealth == PoseHealth::Doubted)
+            doubted << QString::number(agv.id.number);
     }
     if (!turning.isEmpty())
         return tr("Turning: AGV %1. Esc stops all AGVs.").arg(turning.join(QStringLiteral(", ")));
+    if (!doubted.isEmpty())
+        return tr("No longer where it was located: AGV %1. Choose it and press Calibrate.")
+            .arg(doubted.join(QStringLiteral(", ")));
     if (agvs.empty() || unknown.isEmpty())
         return {};
     const auto isClosed = [](const AgvSnapshot& agv) { return agv.readerLink.state == LinkState::Down; };

@@ -26,6 +26,7 @@ private slots:
     void theWindowFitsASmallScreenInGerman();
     void theBannerStandsWheneverThePlantIsSimulated();
     void anAgvThatMayBeMovingLeadsTheLineUnderTheMap();
+    void anAgvThatWasMovedIsNamedUnderTheMap();
     void refusedPeersAreShown();
     void emptyTablesSayWhy();
     void theLanguageChangesWhileTheWindowIsOpen();
@@ -104,6 +105,15 @@ void MainWindowTest::anAgvThatMayBeMovingLeadsTheLineUnderTheMap()
     m_window->showListening();
     m_window->showSnapshot(scenes::linksUp());
     QVERIFY(!line->text().contains(QStringLiteral("may still be moving")));
+}
+
+void MainWindowTest::anAgvThatWasMovedIsNamedUnderTheMap()
+{
+    PlantSnapshot snapshot = scenes::finished();
+    snapshot.agvs[2].poseHealth = PoseHealth::Doubted;
+    m_window->showSnapshot(snapshot);
+    QCOMPARE(find<QLabel>("nextStepLabel")->text(),
+             QStringLiteral("No longer where it was located: AGV 3. Choose it and press Calibrate."));
 }
 
 void MainWindowTest::refusedPeersAreShown()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 
+#include "estimation/fusion/vehicle_tracker.h"
 #include "estimation/uwb/anchor_survey.h"
 #include "estimation/uwb/anchor_watch.h"
 #include "gui/application_setup.h"
@@ -43,6 +44,7 @@ private slots:
     void whatASurveyOfTheAnchorsSaysHasItsGermanSentence();
     void whyAUwbTagHasNoPositionHasItsGermanSentence();
     void whatToKnowOfARangeCalibrationHasItsGermanSentence();
+    void whyAPoseIsDoubtedHasItsGermanSentence();
     void whyAnAnchorIsDoubtedHasItsGermanSentence();
     void whatAUwbUnitIsHasItsGermanSentence();
     void everyBadParameterHasItsGermanSentence();
@@ -261,6 +263,22 @@ void MessagesTest::whatToKnowOfARangeCalibrationHasItsGermanSentence()
     calibration.start(3, {std::nan(""), 0.0, 0.0}, anchors, 30.0, Time{});
     checkTranslated(calibration.snapshot(Time{}).reason);
     checkTranslated("The anchors were changed meanwhile: start the calibration again");
+}
+
+void MessagesTest::whyAPoseIsDoubtedHasItsGermanSentence()
+{
+    PlantLayout plant;
+    plant.agvs.emplace_back();
+    estimation::VehicleTracker tracker(plant, plant.agvs.front());
+    tracker.start({}, {1e-6, 0, 0, 0, 1e-6, 0, 0, 0, 1e-4}, Time{});
+    tracker.wheels({0.1, 0.1}, Time{});
+    checkTranslated(tracker.pose(Time{} + std::chrono::seconds(9)).note); // predicted
+    for (const char* sentence :
+         {"It drove by itself to dock or undock: calibrate it again",
+          "The link to the robot was lost while it drove: calibrate it again",
+          "The floor tags it reads lie elsewhere: it was moved or slipped; calibrate it again",
+          "Its UWB tag is elsewhere: it was moved; calibrate it again"})
+        checkTranslated("Its pose is doubted. " + std::string(sentence));
 }
 
 void MessagesTest::whyAnAnchorIsDoubtedHasItsGermanSentence()
