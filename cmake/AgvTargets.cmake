@@ -33,7 +33,7 @@ function(agv_module name)
     add_library(agv_${name} STATIC ${ARG_SOURCES})
     # Names in the unnamed namespaces of a module are its own: the presets release, core-only and asan compile its
     # sources in a few batches, because reading the headers of Qt, Eigen and the standard library takes most of the
-    # time. Not the tests, whose fixtures are alike on purpose.
+    # time.
     set_target_properties(agv_${name} PROPERTIES UNITY_BUILD ${AGV_UNITY} UNITY_BUILD_BATCH_SIZE 10)
     add_library(agv::${name} ALIAS agv_${name})
     target_include_directories(agv_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
@@ -46,6 +46,30 @@ function(agv_module name)
     endif()
 endfunction()
 
+# agv_test_rules(TARGET USES LIBRARIES): what every test program and library of test fixtures is built with.
+function(agv_test_rules target uses libraries)
+    target_include_directories(${target} PUBLIC ${PROJECT_SOURCE_DIR}/tests)
+    list(TRANSFORM uses PREPEND agv_)
+    target_link_libraries(${target} PUBLIC ${uses} ${libraries} PRIVATE agv_build_rules)
+    # The code under test is optimised; optimising the tests themselves would double the time to build them.
+    target_compile_options(${target} PRIVATE $<IF:$<BOOL:${AGV_SANITIZE}>,-O0,$<$<CONFIG:Release>:-O1>>)
+    target_compile_definitions(${target} PRIVATE
+        AGV_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data" AGV_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+        AGV_RECORDINGS="${PROJECT_SOURCE_DIR}/../shared/data")
+endfunction()
+
+# agv_test_library(NAME SOURCES ... USES module ... [LIBRARIES target ...]): fixtures that several Qt tests share,
+# compiled once; linked as agv_NAME.
+function(agv_test_library name)
+    cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;USES;LIBRARIES")
+    if(NOT AGV_TESTS)
+        return()
+    endif()
+    add_library(agv_${name} STATIC ${ARG_SOURCES})
+    set_target_properties(agv_${name} PROPERTIES AUTOMOC ON)
+    agv_test_rules(agv_${name} "${ARG_USES}" "${ARG_LIBRARIES}")
+endfunction()
+
 # agv_test(NAME SOURCES ... USES module ... [LIBRARIES target ...] [QT])
 # Without QT: GoogleTest, each TEST is its own ctest entry. With QT: one Qt Test program with its own main
 # (QTEST_MAIN or QTEST_GUILESS_MAIN), run on the offscreen platform.
@@ -56,14 +80,7 @@ function(agv_test name)
     endif()
     add_executable(test_${name} ${ARG_SOURCES})
     set_target_properties(test_${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/test-programs)
-    target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-    list(TRANSFORM ARG_USES PREPEND agv_ OUTPUT_VARIABLE used)
-    target_link_libraries(test_${name} PRIVATE ${used} ${ARG_LIBRARIES} agv_build_rules)
-    # The code under test is optimised; optimising the tests themselves would double the time to build them.
-    target_compile_options(test_${name} PRIVATE $<IF:$<BOOL:${AGV_SANITIZE}>,-O0,$<$<CONFIG:Release>:-O1>>)
-    target_compile_definitions(test_${name} PRIVATE
-        AGV_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data" AGV_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-        AGV_RECORDINGS="${PROJECT_SOURCE_DIR}/../shared/data")
+    agv_test_rules(test_${name} "${ARG_USES}" "${ARG_LIBRARIES}")
     if(ARG_QT)
         # Only here: the Qt-free tests compile the same in every preset, so that a compiler cache serves them all.
         target_compile_definitions(test_${name} PRIVATE AGV_PROGRAM="${CMAKE_BINARY_DIR}/bin/agv-console")
@@ -73,17 +90,25 @@ function(agv_test name)
         set_tests_properties(${name} PROPERTIES ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LANG=C.UTF-8")
     else()
         target_link_libraries(test_${name} PRIVATE GTest::gtest_main)
+        # In batches, as the modules: the headers of GoogleTest and Eigen are most of the work. The fixtures are
+        # in the unnamed namespaces of files that become one here, which g++ warns about.
+        set_target_properties(test_${name} PROPERTIES UNITY_BUILD ${AGV_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+        target_compile_options(test_${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
         gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_TIMEOUT 60)
     endif()
 endfunction()
 
-# agv_benchmark(NAME SOURCES ... USES module ...): built with everything, never run by ctest.
+# agv_benchmark(NAME SOURCES ... USES module ...): built by the target benchmarks, never run by ctest.
 function(agv_benchmark name)
     cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;USES;LIBRARIES")
     if(NOT AGV_TESTS)
         return()
     endif()
-    add_executable(bench_${name} ${ARG_SOURCES})
+    add_executable(bench_${name} EXCLUDE_FROM_ALL ${ARG_SOURCES})
+    if(NOT TARGET benchmarks)
+        add_custom_target(benchmarks)
+    endif()
+    add_dependencies(benchmarks bench_${name})
     target_include_directories(bench_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     list(TRANSFORM ARG_USES PREPEND agv_ OUTPUT_VARIABLE used)
     target_link_libraries(bench_${name} PRIVATE ${used} ${ARG_LIBRARIES} agv_build_rules)

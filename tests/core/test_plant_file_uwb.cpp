@@ -21,7 +21,7 @@ UwbSettings settingsOf(const std::string& uwb)
     return plant ? plant->uwb : UwbSettings{};
 }
 
-std::string errorOf(const std::string& uwb)
+std::string uwbError(const std::string& uwb)
 {
     const auto plant = readPlantText(plantWith(uwb), "p.json");
     return plant ? "accepted" : plant.error().detail;
@@ -53,42 +53,44 @@ TEST(PlantFileUwb, HoldsWhatIsAddedToTheRangesOfEachPair)
 
 TEST(PlantFileUwb, SaysWhichCorrectionIsWrong)
 {
-    EXPECT_NE(errorOf(R"({"corrections": [{"anchor": 7, "tag": 3, "offset_mm": 1}]})")
+    EXPECT_NE(uwbError(R"({"corrections": [{"anchor": 7, "tag": 3, "offset_mm": 1}]})")
                   .find("/uwb/corrections/0/anchor: there is no anchor number 7 in \"anchors\""),
               std::string::npos);
-    EXPECT_NE(errorOf(R"({"corrections": [{"anchor": 0, "tag": 3, "offset_mm": 1},
+    EXPECT_NE(uwbError(R"({"corrections": [{"anchor": 0, "tag": 3, "offset_mm": 1},
                                           {"anchor": 0, "tag": 4, "offset_mm": 1},
                                           {"anchor": 0, "tag": 3, "offset_mm": 2}]})")
                   .find("/uwb/corrections/2/anchor: anchor 0 and tag 3 are already corrected by "
                         "/uwb/corrections/0"),
               std::string::npos);
-    EXPECT_NE(errorOf(R"({"corrections": [{"anchor": 0, "tag": 256, "offset_mm": 1}]})")
+    EXPECT_NE(uwbError(R"({"corrections": [{"anchor": 0, "tag": 256, "offset_mm": 1}]})")
                   .find("/uwb/corrections/0/tag: must be"),
               std::string::npos);
-    EXPECT_NE(errorOf(R"({"corrections": [{"anchor": 0, "tag": 3, "offset_mm": 10001}]})")
+    EXPECT_NE(uwbError(R"({"corrections": [{"anchor": 0, "tag": 3, "offset_mm": 10001}]})")
                   .find("/uwb/corrections/0/offset_mm: must be"),
               std::string::npos);
     for (const char* incomplete : {R"({"tag": 3, "offset_mm": 1})", R"({"anchor": 0, "offset_mm": 1})",
                                    R"({"anchor": 0, "tag": 3})", "4"})
-        EXPECT_NE(errorOf(R"({"corrections": [)" + std::string(incomplete) + "]}").find("/uwb/corrections/0"),
-                  std::string::npos)
+        EXPECT_NE(
+            uwbError(R"({"corrections": [)" + std::string(incomplete) + "]}").find("/uwb/corrections/0"),
+            std::string::npos)
             << incomplete;
 }
 
 TEST(PlantFileUwb, SaysWhatIsWrongAndWhere)
 {
-    EXPECT_NE(errorOf(R"({"usb_id": "0483"})").find("/uwb/usb_id: must be vendor and product in hexadecimal"),
-              std::string::npos);
+    EXPECT_NE(
+        uwbError(R"({"usb_id": "0483"})").find("/uwb/usb_id: must be vendor and product in hexadecimal"),
+        std::string::npos);
     for (const char* dialect : {"trek-2", "unknown", ""})
-        EXPECT_NE(errorOf(R"({"dialect": ")" + std::string(dialect) + "\"}")
+        EXPECT_NE(uwbError(R"({"dialect": ")" + std::string(dialect) + "\"}")
                       .find("/uwb/dialect: must be \"detect\", \"trek\", \"trek-1.06\""),
                   std::string::npos);
-    EXPECT_NE(errorOf(R"({"tags": [{"id": 256}]})").find("/uwb/tags/0/id: must be"), std::string::npos);
-    EXPECT_NE(errorOf(R"({"tags": [{"label": "x"}]})").find("/uwb/tags/0"), std::string::npos);
-    EXPECT_NE(errorOf(R"({"tags": [{"id": 1}, {"id": 1}]})")
+    EXPECT_NE(uwbError(R"({"tags": [{"id": 256}]})").find("/uwb/tags/0/id: must be"), std::string::npos);
+    EXPECT_NE(uwbError(R"({"tags": [{"label": "x"}]})").find("/uwb/tags/0"), std::string::npos);
+    EXPECT_NE(uwbError(R"({"tags": [{"id": 1}, {"id": 1}]})")
                   .find("/uwb/tags/1/id: tag number 1 is already used by /uwb/tags/0/id"),
               std::string::npos);
-    EXPECT_NE(errorOf(R"({"tags": [{"id": 1, "agv": 2}]})")
+    EXPECT_NE(uwbError(R"({"tags": [{"id": 1, "agv": 2}]})")
                   .find("/uwb/tags/0/agv: there is no AGV number 2 in \"agvs\""),
               std::string::npos);
 }

@@ -11,7 +11,7 @@ namespace {
 const std::vector<FloorTag> twoTags{{TagUid{0xE00401503A5BDAE4}, {0.0123, -0.5}, 1},
                                     {TagUid{0xE00401503A5BD586}, {1.0, 2.25}, 7}};
 
-std::string errorOf(std::string_view text)
+std::string tagCsvError(std::string_view text)
 {
     const auto tags = readTagCsv(text, "t.csv");
     return tags ? "accepted" : tags.error().detail;
@@ -51,29 +51,31 @@ TEST(TagCsv, numbersTagsByTheirPlaceWhenThereIsNoNumber)
 
 TEST(TagCsv, namesLineAndReasonOfWhatIsWrong)
 {
-    EXPECT_EQ(errorOf(""), "t.csv:1: is empty; expected a header such as uid,x_mm,y_mm,number");
-    EXPECT_EQ(errorOf("\n\n"), "t.csv:2: is empty; expected a header such as uid,x_mm,y_mm,number");
-    EXPECT_EQ(errorOf("A,0,0\n"),
+    EXPECT_EQ(tagCsvError(""), "t.csv:1: is empty; expected a header such as uid,x_mm,y_mm,number");
+    EXPECT_EQ(tagCsvError("\n\n"), "t.csv:2: is empty; expected a header such as uid,x_mm,y_mm,number");
+    EXPECT_EQ(tagCsvError("A,0,0\n"),
               "t.csv:1: the header has no column uid; expected uid,x_mm,y_mm,number (is 'A,0,0')");
-    EXPECT_EQ(errorOf("uid,x_mm\n"),
+    EXPECT_EQ(tagCsvError("uid,x_mm\n"),
               "t.csv:1: the header has no column y_mm; expected uid,x_mm,y_mm,number (is 'uid,x_mm')");
-    EXPECT_EQ(errorOf("uid,x_mm,y_mm,uid\n"), "t.csv:1: the header has the column uid twice; remove one");
+    EXPECT_EQ(tagCsvError("uid,x_mm,y_mm,uid\n"), "t.csv:1: the header has the column uid twice; remove one");
     const std::string header = "uid,x_mm,y_mm,number\nA,0,0,1\n";
     EXPECT_EQ(
-        errorOf(header + "B,0\n"),
+        tagCsvError(header + "B,0\n"),
         "t.csv:3: has 2 fields, the header has 4; numbers with a decimal comma need semicolons between the "
         "fields");
-    EXPECT_EQ(errorOf(header + "XYZ,0,0,1\n"), "t.csv:3: uid: must be 1 to 16 hexadecimal digits (is 'XYZ')");
-    EXPECT_EQ(errorOf(header + "B,wide,0,1\n"),
+    EXPECT_EQ(tagCsvError(header + "XYZ,0,0,1\n"),
+              "t.csv:3: uid: must be 1 to 16 hexadecimal digits (is 'XYZ')");
+    EXPECT_EQ(tagCsvError(header + "B,wide,0,1\n"),
               "t.csv:3: x_mm: must be a number between -1000000 and 1000000 (is 'wide')");
     for (const char* const bad : {"nan", "inf", "1e9", "", "1.5mm", "0x10"})
-        EXPECT_TRUE(errorOf(header + "B,0," + bad + ",1\n").starts_with("t.csv:3: y_mm: must be a number"))
+        EXPECT_TRUE(
+            tagCsvError(header + "B,0," + bad + ",1\n").starts_with("t.csv:3: y_mm: must be a number"))
             << bad;
-    EXPECT_EQ(errorOf(header + "B,0,0,-1\n"),
+    EXPECT_EQ(tagCsvError(header + "B,0,0,-1\n"),
               "t.csv:3: number: must be a whole number from 0 to 1000000000 (is '-1')");
-    EXPECT_EQ(errorOf(header + "\na,0,0,1\n"),
+    EXPECT_EQ(tagCsvError(header + "\na,0,0,1\n"),
               "t.csv:4: uid: tag 000000000000000A is already in line 2; every tag has its own UID");
-    EXPECT_EQ(errorOf("uid;x_mm;y_mm\nA;0\n"), "t.csv:2: has 2 fields, the header has 3");
+    EXPECT_EQ(tagCsvError("uid;x_mm;y_mm\nA;0\n"), "t.csv:2: has 2 fields, the header has 3");
 }
 
 TEST(TagCsv, writesWhatItReads)

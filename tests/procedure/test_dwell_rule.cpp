@@ -8,18 +8,18 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Time begin{100s};
+constexpr Time dwellBegin{100s};
 
 DwellRule ruleAt(const TurnParameters& parameters = {})
 {
     DwellRule rule(parameters);
-    rule.begin(begin);
+    rule.begin(dwellBegin);
     return rule;
 }
 
-TagRead readAt(Duration after, std::uint64_t uid) { return {begin + after, TagUid{uid}, 3}; }
+TagRead readAt(Duration after, std::uint64_t uid) { return {dwellBegin + after, TagUid{uid}, 3}; }
 
-TEST(DwellRule, WaitsTheLongestDwellWhenNothingIsRead) { EXPECT_EQ(ruleAt().leaveAt(), begin + 2s); }
+TEST(DwellRule, WaitsTheLongestDwellWhenNothingIsRead) { EXPECT_EQ(ruleAt().leaveAt(), dwellBegin + 2s); }
 
 TEST(DwellRule, LeavesAQuietTimeAfterTheLastNewTagWhenEveryTagCameTwice)
 {
@@ -29,7 +29,7 @@ TEST(DwellRule, LeavesAQuietTimeAfterTheLastNewTagWhenEveryTagCameTwice)
     rule.add(readAt(230ms, 1));
     rule.add(readAt(260ms, 2));
     rule.add(readAt(400ms, 2));
-    EXPECT_EQ(rule.leaveAt(), begin + 200ms + DwellRule::quietTime);
+    EXPECT_EQ(rule.leaveAt(), dwellBegin + 200ms + DwellRule::quietTime);
 }
 
 TEST(DwellRule, WaitsLongerForATagThatShowedOnce)
@@ -38,9 +38,9 @@ TEST(DwellRule, WaitsLongerForATagThatShowedOnce)
     rule.add(readAt(30ms, 1));
     rule.add(readAt(60ms, 1));
     rule.add(readAt(90ms, 2));
-    EXPECT_EQ(rule.leaveAt(), begin + 90ms + DwellRule::loneTagTime);
+    EXPECT_EQ(rule.leaveAt(), dwellBegin + 90ms + DwellRule::loneTagTime);
     rule.add(readAt(120ms, 2));
-    EXPECT_EQ(rule.leaveAt(), begin + 90ms + DwellRule::quietTime);
+    EXPECT_EQ(rule.leaveAt(), dwellBegin + 90ms + DwellRule::quietTime);
 }
 
 TEST(DwellRule, NeverLeavesBeforeTheShortestDwell)
@@ -48,7 +48,7 @@ TEST(DwellRule, NeverLeavesBeforeTheShortestDwell)
     DwellRule rule = ruleAt();
     rule.add(readAt(1ms, 1));
     rule.add(readAt(2ms, 1));
-    EXPECT_EQ(rule.leaveAt(), begin + 300ms);
+    EXPECT_EQ(rule.leaveAt(), dwellBegin + 300ms);
 }
 
 TEST(DwellRule, NeverStaysBeyondTheLongestDwell)
@@ -56,7 +56,7 @@ TEST(DwellRule, NeverStaysBeyondTheLongestDwell)
     DwellRule rule = ruleAt();
     for (int tag = 0; tag < 60; ++tag)
         rule.add(readAt(tag * 32ms, 1000 + static_cast<unsigned>(tag)));
-    EXPECT_EQ(rule.leaveAt(), begin + 2s);
+    EXPECT_EQ(rule.leaveAt(), dwellBegin + 2s);
 }
 
 TEST(DwellRule, StaysTheLongestDwellWhenItIsNotAdaptive)
@@ -66,15 +66,15 @@ TEST(DwellRule, StaysTheLongestDwellWhenItIsNotAdaptive)
     DwellRule rule = ruleAt(parameters);
     rule.add(readAt(30ms, 1));
     rule.add(readAt(60ms, 1));
-    EXPECT_EQ(rule.leaveAt(), begin + 2s);
+    EXPECT_EQ(rule.leaveAt(), dwellBegin + 2s);
 }
 
 TEST(DwellRule, ForgetsTheTagsOfTheStopBefore)
 {
     DwellRule rule = ruleAt();
     rule.add(readAt(30ms, 1));
-    rule.begin(begin + 3s);
-    EXPECT_EQ(rule.leaveAt(), begin + 5s);
+    rule.begin(dwellBegin + 3s);
+    EXPECT_EQ(rule.leaveAt(), dwellBegin + 5s);
 }
 
 } // namespace

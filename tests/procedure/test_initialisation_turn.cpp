@@ -146,10 +146,10 @@ TEST(InitialisationTurn, ATimedStepLastsItsShareOfTheSleeptime)
         TurnHarness harness(p);
         harness.start();
         ASSERT_TRUE(harness.runUntilPhase(TurnPhase::Turning));
-        const Time begin = harness.now();
+        const Time turnBegin = harness.now();
         ASSERT_TRUE(harness.runUntilPhase(TurnPhase::Settling));
         const double expected = 1.125 * 8 / stops;
-        EXPECT_NEAR(secondsFrom(harness.now() - begin), expected, 1e-6);
+        EXPECT_NEAR(secondsFrom(harness.now() - turnBegin), expected, 1e-6);
     }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Time begin{1000s};
+constexpr Time calibrationBegin{1000s};
 constexpr CalibrationPlace place{1.0, 2.0, 0.3};
 const std::vector<UwbAnchor> anchors{
     {4, "A4", 0.0, 0.0, 2.0, true}, {1, "A1", 6.0, 0.0, 2.0, true}, {2, "A2", 6.0, 5.0, 2.5, true}};
@@ -34,7 +34,10 @@ RangeMeasurement rangeOf(int tag, int anchor, double range_m)
 
 /// A calibration of tag 3 over 30 s that is told what a test wants.
 struct Calibration {
-    Calibration() { calibration.start(3, place, anchors, RangeCalibration::usualDuration_s, begin); }
+    Calibration()
+    {
+        calibration.start(3, place, anchors, RangeCalibration::usualDuration_s, calibrationBegin);
+    }
 
     /// One range of each anchor every 100 ms for `seconds`; what they are too long by, m.
     template<typename Error>
@@ -48,7 +51,7 @@ struct Calibration {
     RangeCalibrationSnapshot snapshot() const { return calibration.snapshot(now); }
 
     RangeCalibration calibration;
-    Time now = begin;
+    Time now = calibrationBegin;
     SplitMix64 random{5};
 };
 
@@ -56,7 +59,7 @@ double errorOfAnchor(int anchor) { return anchor == 1 ? 0.21 : -0.05; }
 
 TEST(RangeCalibration, IsIdleAtFirst)
 {
-    EXPECT_EQ(RangeCalibration().snapshot(begin), RangeCalibrationSnapshot{});
+    EXPECT_EQ(RangeCalibration().snapshot(calibrationBegin), RangeCalibrationSnapshot{});
 }
 
 TEST(RangeCalibration, TheOffsetIsTheTrueDistanceMinusTheMedianRange)
@@ -114,12 +117,12 @@ TEST(RangeCalibration, AnAnchorWithFewRangesGetsNoOffset)
 {
     Calibration c;
     for (int i = 0; i < 100; ++i) {
-        c.calibration.add(rangeOf(3, 1, 5.0), begin);
+        c.calibration.add(rangeOf(3, 1, 5.0), calibrationBegin);
         if (i < 19)
-            c.calibration.add(rangeOf(3, 2, 5.0), begin);
+            c.calibration.add(rangeOf(3, 2, 5.0), calibrationBegin);
     }
-    c.calibration.onTimer(begin + 30s);
-    const RangeCalibrationSnapshot result = c.calibration.snapshot(begin + 30s);
+    c.calibration.onTimer(calibrationBegin + 30s);
+    const RangeCalibrationSnapshot result = c.calibration.snapshot(calibrationBegin + 30s);
     EXPECT_EQ(result.state, RangeCalibrationState::Finished);
     EXPECT_TRUE(result.rows[1].offset_m);
     EXPECT_FALSE(result.rows[2].offset_m);
@@ -132,27 +135,29 @@ TEST(RangeCalibration, FailsWhenTheTagIsNotHeard)
 {
     Calibration c;
     for (int i = 0; i < 100; ++i) {
-        c.calibration.add(rangeOf(4, 1, 5.0), begin); // another tag
-        c.calibration.add(rangeOf(3, 9, 5.0), begin); // an anchor that is not in the list
+        c.calibration.add(rangeOf(4, 1, 5.0), calibrationBegin); // another tag
+        c.calibration.add(rangeOf(3, 9, 5.0), calibrationBegin); // an anchor that is not in the list
         RangeMeasurement between = rangeOf(3, 1, 5.0);
         between.kind = RangeKind::AnchorAnchor;
-        c.calibration.add(between, begin);
+        c.calibration.add(between, calibrationBegin);
     }
-    c.calibration.onTimer(begin + 29s);
+    c.calibration.onTimer(calibrationBegin + 29s);
     EXPECT_EQ(c.calibration.state(), RangeCalibrationState::Collecting);
-    c.calibration.onTimer(begin + 30s);
+    c.calibration.onTimer(calibrationBegin + 30s);
     EXPECT_EQ(c.calibration.state(), RangeCalibrationState::Failed);
-    EXPECT_TRUE(c.calibration.snapshot(begin).reason.starts_with("Tag 3 was not heard: switch it on"));
+    EXPECT_TRUE(
+        c.calibration.snapshot(calibrationBegin).reason.starts_with("Tag 3 was not heard: switch it on"));
 }
 
 TEST(RangeCalibration, FailsWhenNoAnchorMeasuredTheTagOftenEnough)
 {
     Calibration c;
     for (int i = 0; i < 19; ++i)
-        c.calibration.add(rangeOf(3, 1, 5.0), begin);
-    c.calibration.onTimer(begin + 30s);
+        c.calibration.add(rangeOf(3, 1, 5.0), calibrationBegin);
+    c.calibration.onTimer(calibrationBegin + 30s);
     EXPECT_EQ(c.calibration.state(), RangeCalibrationState::Failed);
-    EXPECT_TRUE(c.calibration.snapshot(begin).reason.starts_with("No anchor measured tag 3 20 times"));
+    EXPECT_TRUE(
+        c.calibration.snapshot(calibrationBegin).reason.starts_with("No anchor measured tag 3 20 times"));
 }
 
 TEST(RangeCalibration, ShowsHowFarItIsAndWhatItHasSoFar)
@@ -170,7 +175,7 @@ TEST(RangeCalibration, TakesNothingAfterItsTimeEvenWhenNoTimerCame)
     Calibration c;
     c.run(29.9, [](int) { return 0.0; });
     for (int i = 0; i < 1000; ++i)
-        c.calibration.add(rangeOf(3, 1, 50.0), begin + 31s);
+        c.calibration.add(rangeOf(3, 1, 50.0), calibrationBegin + 31s);
     EXPECT_EQ(c.calibration.state(), RangeCalibrationState::Finished);
     EXPECT_NEAR(c.snapshot().rows[1].offset_m.value(), 0.0, 1e-9);
 }
@@ -216,10 +221,10 @@ TEST(RangeCalibration, FailsAtOnceWhenItsValuesAreOfNoUse)
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     const auto reasonFor = [](CalibrationPlace where, const std::vector<UwbAnchor>& list, double seconds) {
         RangeCalibration calibration;
-        calibration.start(3, where, list, seconds, begin);
+        calibration.start(3, where, list, seconds, calibrationBegin);
         EXPECT_EQ(calibration.state(), RangeCalibrationState::Failed);
-        calibration.add(rangeOf(3, 1, 5.0), begin);
-        return calibration.snapshot(begin).reason;
+        calibration.add(rangeOf(3, 1, 5.0), calibrationBegin);
+        return calibration.snapshot(calibrationBegin).reason;
     };
     EXPECT_TRUE(reasonFor(place, {}, 30.0).starts_with("There is no anchor"));
     EXPECT_TRUE(reasonFor({nan, 0.0, 0.0}, anchors, 30.0).starts_with("The place of the tag is not known"));

@@ -196,10 +196,10 @@ TEST(TurnExit, ARobotThatNeverReportsTheEndOfItsSegmentIsStopped)
     harness.robotAnswers = false;
     harness.start();
     ASSERT_TRUE(harness.runUntilPhase(TurnPhase::Turning));
-    const Time begin = harness.now();
+    const Time turnBegin = harness.now();
     const std::size_t from = harness.emitted().size();
     ASSERT_TRUE(harness.runUntilPhase(TurnPhase::Failed));
-    EXPECT_NEAR(secondsFrom(harness.now() - begin), 3 * 1.125 + 2.0, 1e-6);
+    EXPECT_NEAR(secondsFrom(harness.now() - turnBegin), 3 * 1.125 + 2.0, 1e-6);
     harness.drain();
     expectStandstill(harness, from, TurnKind::Measured);
 }

@@ -36,7 +36,7 @@ using namespace agv::protocol;
 TEST(TrekStream, allocatesNothingOnceItHasSeenAFewLines)
 {
     std::string bytes;
-    for (const std::string& line : samples::reports)
+    for (const std::string& line : samples::trekReports)
         bytes += line + "\r\n";
     bytes += std::string(300, 'z') + "\r\n" + std::string(1000, '\xff') + samples::trek + "\r\n";
     for (const std::size_t burst : {1U, 16U, 64U, 65U, 1400U}) {

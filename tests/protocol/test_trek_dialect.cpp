@@ -98,7 +98,7 @@ TEST_F(TrekDialect, canBeOverriddenAndStaysSo)
 TEST_F(TrekDialect, canBeOverriddenWithoutLosingLinesOfAnotherForm)
 {
     m_stream.dialect().setOverride(UwbDialect::UlmFour);
-    for (const std::string& line : reports)
+    for (const std::string& line : trekReports)
         after(line);
-    EXPECT_EQ(m_stream.counts().reports, reports.size());
+    EXPECT_EQ(m_stream.counts().reports, trekReports.size());
 }

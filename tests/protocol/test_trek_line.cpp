@@ -150,7 +150,7 @@ TEST(TrekLine, refusesACharacterThatDoesNotBelongAtEveryPlace)
 TEST(TrekLine, endsWhereTheNextTextBegins)
 {
     TrekReport report;
-    for (const std::string& line : reports)
+    for (const std::string& line : trekReports)
         for (const std::string& next : {trek, trekOld, imuFour, ulmText, std::string("T0000abcd poll"),
                                         std::string("me 01"), std::string("\xff"), std::string(" ")})
             EXPECT_EQ(decodeTrekReport(line + next, report).value_or(0), line.size()) << line + next;
@@ -160,7 +160,7 @@ TEST(TrekLine, endsWhereTheNextTextBegins)
 
 TEST(TrekLine, isTheSameAfterEncoding)
 {
-    for (const std::string& line : reports) {
+    for (const std::string& line : trekReports) {
         const TrekReport report = decoded(line);
         EXPECT_EQ(decoded(encodeTrekReport(report)), report) << line;
     }

@@ -141,7 +141,7 @@ TEST(TrekStream, losesNoWholeReportInRandomNoiseBetweenThem)
         // report.
         for (std::size_t n = 0; n < length; ++n)
             bytes += static_cast<char>(random.next() & 0xFFU);
-        bytes += reports[random.next() % reports.size()] + "\r\n";
+        bytes += trekReports[random.next() % trekReports.size()] + "\r\n";
         ++sent;
     }
     EXPECT_EQ(hear(bytes).reports.size(), sent);

@@ -24,8 +24,8 @@ inline const std::string imuFour = "mi,981.937,0.63,null,1.25,NULL,-2.777783,1.6
 inline const std::string imuEight = "mi,77.690,0.69,0.65,0.90,0.94,null,null,null,null,-0.129,0.033,9.676,"
                                     "-0.000,-0.002,-0.000,25.650,2.850,13.950,-0.012,1.018,-4.479,T3";
 
-inline const std::vector<std::string> reports{trek,    trekRaw,  trekAnchors, trekThree, trekOld,
-                                              ulmFour, ulmEight, esp32,       imuFour,   imuEight};
+inline const std::vector<std::string> trekReports{trek,    trekRaw,  trekAnchors, trekThree, trekOld,
+                                                  ulmFour, ulmEight, esp32,       imuFour,   imuEight};
 
 /// What a stream gave: its reports without the values that depend on the dialect, and its counts.
 struct Heard {

@@ -8,7 +8,7 @@ using namespace agv::recording;
 
 namespace {
 
-std::string errorOf(std::string_view text)
+std::string anchorCsvError(std::string_view text)
 {
     const auto anchors = readAnchorCsv(text);
     EXPECT_FALSE(anchors.has_value());
@@ -35,14 +35,17 @@ TEST(AnchorCsv, isTheSameAfterWriting)
 
 TEST(AnchorCsv, saysWhatIsWrongInWhichLine)
 {
-    EXPECT_EQ(errorOf("anchor,x_m,y_m\n0,1,2\n"),
+    EXPECT_EQ(anchorCsvError("anchor,x_m,y_m\n0,1,2\n"),
               "1: the header has no column z_m; expected anchor,x_m,y_m,z_m");
-    EXPECT_EQ(errorOf("x_m,y_m,z_m\n"), "1: the header has no column anchor; expected anchor,x_m,y_m,z_m");
-    EXPECT_EQ(errorOf("anchor,x_m,y_m,z_m\n"), "1: has no anchor below the header");
-    EXPECT_EQ(errorOf("anchor,x_m,y_m,z_m\n0,1,2,3\n0,1,2,3\n"),
+    EXPECT_EQ(anchorCsvError("x_m,y_m,z_m\n"),
+              "1: the header has no column anchor; expected anchor,x_m,y_m,z_m");
+    EXPECT_EQ(anchorCsvError("anchor,x_m,y_m,z_m\n"), "1: has no anchor below the header");
+    EXPECT_EQ(anchorCsvError("anchor,x_m,y_m,z_m\n0,1,2,3\n0,1,2,3\n"),
               "3: anchor: 0 is already in line 2; every anchor has its own id");
-    EXPECT_EQ(errorOf("anchor,x_m,y_m,z_m\n256,1,2,3\n"),
+    EXPECT_EQ(anchorCsvError("anchor,x_m,y_m,z_m\n256,1,2,3\n"),
               "2: anchor: must be a whole number from 0 to 255 (is '256')");
-    EXPECT_EQ(errorOf("anchor,x_m,y_m,z_m\n1,1,,3\n"), "2: y_m: must be a number from -1000 to 1000 (is '')");
-    EXPECT_EQ(errorOf("anchor,x_m,y_m,z_m,shown\n1,1,2,3,yes\n"), "2: shown: must be 1 or 0 (is 'yes')");
+    EXPECT_EQ(anchorCsvError("anchor,x_m,y_m,z_m\n1,1,,3\n"),
+              "2: y_m: must be a number from -1000 to 1000 (is '')");
+    EXPECT_EQ(anchorCsvError("anchor,x_m,y_m,z_m,shown\n1,1,2,3,yes\n"),
+              "2: shown: must be 1 or 0 (is 'yes')");
 }

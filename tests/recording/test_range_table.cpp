@@ -8,14 +8,14 @@ using namespace agv::recording;
 
 namespace {
 
-RangeTable readGood(std::string_view text)
+RangeTable readTable(std::string_view text)
 {
     auto table = readRangeCsv(text);
     EXPECT_TRUE(table.has_value()) << (table ? "" : table.error().detail);
     return table.value_or(RangeTable{});
 }
 
-std::string errorOf(std::string_view text)
+std::string tableError(std::string_view text)
 {
     const auto table = readRangeCsv(text);
     EXPECT_FALSE(table.has_value());
@@ -26,7 +26,7 @@ std::string errorOf(std::string_view text)
 
 TEST(RangeCsv, readsTimesIdsAndRanges)
 {
-    const RangeTable table = readGood("t_s,tag,anchor,range_m\n0.1279,0,105,2.9552\n-1.5,3,7,1e1\n");
+    const RangeTable table = readTable("t_s,tag,anchor,range_m\n0.1279,0,105,2.9552\n-1.5,3,7,1e1\n");
     ASSERT_EQ(table.ranges.size(), 2U);
     EXPECT_EQ(table.ranges[0],
               (RangeMeasurement{.time_s = 0.1279, .range_m = 2.9552, .tag = 0, .anchor = 105}));
@@ -37,7 +37,7 @@ TEST(RangeCsv, readsTimesIdsAndRanges)
 TEST(RangeCsv, carriesOtherColumnsThrough)
 {
     const RangeTable table =
-        readGood("point,t_s,tag,anchor,range_m,seq,nlos_label\n1,5,0,2,1.5,229,1\n7b,6,0,2,1.6,,0\n");
+        readTable("point,t_s,tag,anchor,range_m,seq,nlos_label\n1,5,0,2,1.5,229,1\n7b,6,0,2,1.6,,0\n");
     EXPECT_EQ(table.extraColumns, (std::vector<std::string>{"point", "nlos_label"}));
     EXPECT_EQ(table.ranges[0].sequence, 229);
     EXPECT_EQ(table.ranges[1].sequence, -1);
@@ -48,8 +48,8 @@ TEST(RangeCsv, carriesOtherColumnsThrough)
 
 TEST(RangeCsv, readsWhatSpreadsheetsWrite)
 {
-    const RangeTable table = readGood("\xEF\xBB\xBFT_s;Tag;Anchor;Range_m;note\r\n0,5;1;2;3,25;\"a;b "
-                                      "\"\"c\"\"\"\r\n\r\n# remark\r\n1,5;1;2;3,5;\r\n");
+    const RangeTable table = readTable("\xEF\xBB\xBFT_s;Tag;Anchor;Range_m;note\r\n0,5;1;2;3,25;\"a;b "
+                                       "\"\"c\"\"\"\r\n\r\n# remark\r\n1,5;1;2;3,5;\r\n");
     ASSERT_EQ(table.ranges.size(), 2U);
     EXPECT_DOUBLE_EQ(table.ranges[0].time_s, 0.5);
     EXPECT_DOUBLE_EQ(table.ranges[0].range_m, 3.25);
@@ -59,7 +59,7 @@ TEST(RangeCsv, readsWhatSpreadsheetsWrite)
 TEST(RangeCsv, leavesOutRowsWithoutARangeAndCountsThem)
 {
     const RangeTable table =
-        readGood("t_s,tag,anchor,range_m\n0,0,0,\n0,0,1,nan\n0,0,2,0\n0,0,3,-1\n0,0,4,2.5\n");
+        readTable("t_s,tag,anchor,range_m\n0,0,0,\n0,0,1,nan\n0,0,2,0\n0,0,3,-1\n0,0,4,2.5\n");
     ASSERT_EQ(table.ranges.size(), 1U);
     EXPECT_EQ(table.notMeasured, 4U);
     EXPECT_TRUE(table.problems.empty());
@@ -67,7 +67,7 @@ TEST(RangeCsv, leavesOutRowsWithoutARangeAndCountsThem)
 
 TEST(RangeCsv, namesTheLineOfABadRowAndGoesOn)
 {
-    const RangeTable table = readGood(
+    const RangeTable table = readTable(
         "t_s,tag,anchor,range_m\nx,0,0,1\n1,0,0,1\n1,-1,0,1\n1,0,A0,1\n1,0,0,far\n1,0\n2,0,0,9.8e3\n");
     EXPECT_EQ(table.ranges.size(), 2U) << "a gross outlier is kept";
     ASSERT_EQ(table.problems.count(), 5U);
@@ -84,18 +84,18 @@ TEST(RangeCsv, keepsTheFirstHundredProblemsAndCountsAll)
     std::string text = "t_s,tag,anchor,range_m\n1,0,0,1\n";
     for (int i = 0; i < 5000; ++i)
         text += "bad\n";
-    const RangeTable table = readGood(text);
+    const RangeTable table = readTable(text);
     EXPECT_EQ(table.problems.count(), 5000U);
     EXPECT_EQ(table.problems.kept().size(), 100U);
 }
 
 TEST(RangeCsv, refusesTextWithoutItsColumnsOrAnyGoodRow)
 {
-    EXPECT_EQ(errorOf(""), "is empty; expected a header and rows");
-    EXPECT_EQ(errorOf("\n\nt_s,tag,range_m\n1,0,1\n"),
+    EXPECT_EQ(tableError(""), "is empty; expected a header and rows");
+    EXPECT_EQ(tableError("\n\nt_s,tag,range_m\n1,0,1\n"),
               "3: the header has no column anchor; expected t_s,tag,anchor,range_m");
-    EXPECT_EQ(errorOf("t_s,tag,anchor,range_m\n1,0\n"), "2: has 2 fields, the header has 4");
-    EXPECT_TRUE(readGood("t_s,tag,anchor,range_m\n").ranges.empty());
+    EXPECT_EQ(tableError("t_s,tag,anchor,range_m\n1,0\n"), "2: has 2 fields, the header has 4");
+    EXPECT_TRUE(readTable("t_s,tag,anchor,range_m\n").ranges.empty());
 }
 
 TEST(RangeCsv, isTheSameAfterWriting)
@@ -111,7 +111,7 @@ TEST(RangeCsv, isTheSameAfterWriting)
          .sequence = 255},
         {.time_s = 1.0 / 3.0, .range_m = 1e-3, .tag = 0, .anchor = 1, .kind = RangeKind::AnchorAnchor}};
     table.extras = {"a,b", "-1.5", "", "say \"x\""};
-    const RangeTable again = readGood(writeRangeCsv(table));
+    const RangeTable again = readTable(writeRangeCsv(table));
     EXPECT_EQ(again.ranges, table.ranges);
     EXPECT_EQ(again.extraColumns, table.extraColumns);
     EXPECT_EQ(again.extras, table.extras);

@@ -11,7 +11,7 @@
 namespace agv::estimation {
 namespace {
 
-const std::vector<Eigen::Vector3d> kAnchors{{0, 0, 2}, {4, 0, 2}, {4, 3, 2}, {0, 3, 2}};
+const std::vector<Eigen::Vector3d> kFilterAnchors{{0, 0, 2}, {4, 0, 2}, {4, 3, 2}, {0, 3, 2}};
 constexpr double kStep_s = 0.1;
 
 /// A vehicle on a circle, with wheels and a track that are not what the console believes, and a tag off its
@@ -36,7 +36,7 @@ public:
         std::vector<AnchorRange> result;
         const Point2 tag = fromVehicleFrame(m_pose, kTag);
         for (int i = 0; i < 4; ++i) {
-            const Eigen::Vector3d& a = kAnchors[static_cast<std::size_t>(i)];
+            const Eigen::Vector3d& a = kFilterAnchors[static_cast<std::size_t>(i)];
             const double d = (Eigen::Vector3d(tag.x, tag.y, 0.3) - a).norm();
             result.push_back({a, d + 0.05 * m_random.normal(), 0.05, i});
         }
