@@ -4,6 +4,7 @@
 #include "gui/cell_delegates.h"
 #include "gui/glyphs.h"
 #include "gui/hint_table_view.h"
+#include "gui/map/map_controls.h"
 #include "gui/next_step.h"
 #include "gui/shortcut_dialog.h"
 #include "model/messages.h"
@@ -11,6 +12,7 @@
 
 #include <QActionGroup>
 #include <QApplication>
+#include <QDateTime>
 #include <QHBoxLayout>
 #include <QMessageBox>
 #include <QSettings>
@@ -74,8 +76,6 @@ void MainWindow::Private::build(const PlantLayout& described)
     ui.statusBar->addPermanentWidget(pointerLabel);
     for (QDockWidget* dock : docks())
         ui.panelMenu->addAction(dock->toggleViewAction());
-    for (QAction* action : {ui.gridAction, ui.tagsAction, ui.stationsAction})
-        action->setChecked(true);
 }
 
 void MainWindow::Private::connectActions()
@@ -116,16 +116,13 @@ void MainWindow::Private::connectActions()
 
     MapWidget* map = ui.map;
     connect(map, &MapWidget::robotClicked, calibration, &CalibrationPanel::setRobot);
-    connect(map, &MapWidget::followingChanged, ui.followAction, &QAction::setChecked);
     connect(map, &MapWidget::pointerMoved, q, [this](double x_m, double y_m) { showPointer(x_m, y_m); });
     connect(map, &MapWidget::pointerLeft, pointerLabel, &QLabel::clear);
-    connect(ui.fitAction, &QAction::triggered, map, &MapWidget::fit);
-    connect(ui.zoomInAction, &QAction::triggered, map, &MapWidget::zoomIn);
-    connect(ui.zoomOutAction, &QAction::triggered, map, &MapWidget::zoomOut);
-    connect(ui.zoomToAction, &QAction::triggered, map, &MapWidget::zoomToSelected);
-    connect(ui.followAction, &QAction::toggled, map, &MapWidget::setFollowing);
-    for (QAction* action : {ui.gridAction, ui.tagsAction, ui.stationsAction})
-        connect(action, &QAction::toggled, q, [this] { updateLayers(); });
+    auto* mapControls = new MapControls(ui, q);
+    connect(mapControls, &MapControls::pictureSaved, q, [this](bool saved, const QString& sentence) {
+        q->addEvent({QDateTime::currentMSecsSinceEpoch(), saved ? EventLevel::Info : EventLevel::Error,
+                     "Console", sentence.toStdString()});
+    });
 
     connect(ui.nextPanelAction, &QAction::triggered, q, [this] { focusNextPanel(); });
     connect(ui.resetLayoutAction, &QAction::triggered, q, [this] { resetLayout(); });
@@ -352,12 +349,6 @@ void MainWindow::Private::showStatus(const PlantSnapshot& snapshot)
 void MainWindow::Private::showPointer(double x_m, double y_m)
 {
     pointerLabel->setText(tr("x %1   y %2").arg(Words::millimetres(x_m), Words::millimetres(y_m)));
-}
-
-void MainWindow::Private::updateLayers()
-{
-    ui.map->setLayers(
-        {ui.gridAction->isChecked(), ui.tagsAction->isChecked(), ui.stationsAction->isChecked()});
 }
 
 void MainWindow::Private::retranslate()

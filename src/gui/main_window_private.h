@@ -38,7 +38,6 @@ public:
     void showTrouble(Trouble kind, const QString& reason);
     void showStatus(const PlantSnapshot& snapshot);
     void showPointer(double x_m, double y_m);
-    void updateLayers();
     void addVehicleActions(const PlantLayout& layout);
     void focusNextPanel();
     void showAbout();

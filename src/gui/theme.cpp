@@ -42,6 +42,7 @@ Theme Theme::light()
     t.agvBody = QColor(0xcdd5de);
     t.agvEdge = QColor(0x3b4754);
     t.estimate = QColor(0x2b6390);
+    t.trail = QColor(0x9dbad1);
     t.alternative = QColor(0x9a5200);
     return t;
 }
@@ -83,6 +84,7 @@ Theme Theme::darkTheme()
     t.agvBody = QColor(0x46515d);
     t.agvEdge = QColor(0xc3ccd6);
     t.estimate = QColor(0x8fc4ec);
+    t.trail = QColor(0x4c6e8a);
     t.alternative = QColor(0xf2b04c);
     return t;
 }

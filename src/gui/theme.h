@@ -21,7 +21,7 @@ struct Theme {
 
     QColor mapOutside, mapFloor, mapGrid, mapEdge;
     QColor floorTag, floorTagNow, station, stationEdge, obstacle;
-    QColor agvBody, agvEdge, estimate, alternative;
+    QColor agvBody, agvEdge, estimate, alternative, trail;
 
     /// The light or the dark set, whichever fits the window colour of `palette`.
     static Theme fromPalette(const QPalette& palette);

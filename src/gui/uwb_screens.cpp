@@ -9,6 +9,8 @@
 
 #include <QHeaderView>
 
+#include <algorithm>
+
 namespace agv::gui {
 
 using model::AnchorTableModel;
@@ -58,6 +60,7 @@ void UwbScreens::connectModels()
 {
     connect(&m_anchors, &AnchorTableModel::editRequested, &m_editor, &UwbEditor::setAnchors);
     connect(&m_tags, &UwbTagTableModel::editRequested, &m_editor, &UwbEditor::setTags);
+    connect(m_ui.map, &MapWidget::anchorMoved, this, &UwbScreens::moveAnchor);
     connect(&m_anchors, &AnchorTableModel::refused, this,
             [this](const QString& sentence) { m_ui.anchors->setNote(sentence, true); });
     connect(&m_tags, &UwbTagTableModel::refused, this,
@@ -68,6 +71,17 @@ void UwbScreens::connectModels()
         m_window->setWindowModified(unsaved && m_isSavable);
         showState();
     });
+}
+
+void UwbScreens::moveAnchor(int id, Point2 place)
+{
+    std::vector<UwbAnchor> anchors = m_editor.anchors();
+    const auto moved = std::ranges::find(anchors, id, &UwbAnchor::id);
+    if (moved == anchors.end())
+        return;
+    moved->x = place.x;
+    moved->y = place.y;
+    m_editor.setAnchors(tr("Move %1").arg(model::anchorName(*moved)), anchors);
 }
 
 void UwbScreens::connectActions()

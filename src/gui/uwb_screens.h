@@ -59,6 +59,7 @@ public:
 private:
     void buildPanels();
     void connectModels();
+    void moveAnchor(int id, Point2 place);
     void connectActions();
     void connectUndo();
     void updateUndo();

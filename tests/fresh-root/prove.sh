@@ -15,7 +15,7 @@ esac
 source_dir="$(git -C "$(dirname "$0")" rev-parse --show-toplevel)"
 
 step() { printf '\n=== %s (%s)\n' "$1" "$(date -u +%H:%M:%S)"; }
-leave() { umount "$root/proc" "$root/dev" 2>/dev/null || true; }
+leave() { umount "$root/proc" "$root/dev/pts" "$root/dev" 2>/dev/null || true; }
 trap leave EXIT
 
 [ -e "$root" ] && { echo "$root exists; remove it or name another directory" >&2; exit 2; }
@@ -23,6 +23,8 @@ step "debootstrap --variant=minbase $suite"
 debootstrap --variant=minbase --components="$components" ${KEYRING:+--keyring="$KEYRING"} "$suite" "$root" "$mirror" \
     >"$root.log" 2>&1 || { tail "$root.log" >&2; exit 1; }
 mount --bind /dev "$root/dev"
+# A bind does not take what is mounted below along; the virtual COM port of the tests is a pseudo terminal.
+mount --bind /dev/pts "$root/dev/pts"
 mount -t proc proc "$root/proc"
 [ -f /etc/resolv.conf ] && cp /etc/resolv.conf "$root/etc/resolv.conf"
 [ -d /etc/apt/apt.conf.d ] && cp -n /etc/apt/apt.conf.d/*proxy* "$root/etc/apt/apt.conf.d/" 2>/dev/null || true

@@ -47,7 +47,6 @@ private slots:
     void detailsNameTheUwbTagAndItsUncertainty();
     void detailsNameTheUwbAnchorsThatAreShown();
     void aUwbTagIsDrawnWhereItIs();
-    void aTrailKeepsTheLastPointsThatLieApart();
 
 private:
     static std::unique_ptr<MapWidget> shownMap();
@@ -357,22 +356,6 @@ void MapTest::aUwbTagIsDrawnWhereItIs()
     };
     QVERIFY(pixel(before, at) != pixel(after, at));
     QCOMPARE(pixel(before, at + QPoint(150, 0)), pixel(after, at + QPoint(150, 0)));
-}
-
-void MapTest::aTrailKeepsTheLastPointsThatLieApart()
-{
-    UwbTrails trails;
-    for (int i = 0; i < 1000; ++i)
-        trails.add(withUwbTag(Point2{0.005 * i, 1.0}));
-    const auto& trail = trails.of(5);
-    QCOMPARE(trail.size(), UwbTrails::mostPoints);
-    QVERIFY(near(trail.back(), Point2{4.99, 1.0}));
-    for (std::size_t i = 1; i < trail.size(); ++i)
-        QVERIFY(distance(trail[i - 1], trail[i]) >= UwbTrails::spacing_m);
-    trails.add(withUwbTag({}));
-    QCOMPARE(trails.of(5).size(), UwbTrails::mostPoints);
-    trails.add(PlantSnapshot{});
-    QVERIFY(trails.of(5).empty());
 }
 
 QTEST_MAIN(MapTest)

@@ -2,6 +2,7 @@
 // What the map says about the thing under the pointer.
 #include "gui/map/map_widget.h"
 
+#include "gui/map/accuracy_layer.h"
 #include "gui/map/map_agvs.h"
 #include "model/messages.h"
 #include "model/uncertainty.h"
@@ -34,6 +35,8 @@ const AgvSnapshot* MapWidget::agvAt(QPointF pixel) const
 
 QString MapWidget::detailsAt(QPointF pixel) const
 {
+    if (const QString unknown = unknownTagDetails(pixel); !unknown.isEmpty())
+        return unknown;
     if (const QString stop = stopDetails(pixel); !stop.isEmpty())
         return stop;
     if (const QString tag = uwbTagDetails(pixel); !tag.isEmpty())
@@ -44,7 +47,9 @@ QString MapWidget::detailsAt(QPointF pixel) const
         return tag;
     if (const AgvSnapshot* agv = agvAt(pixel))
         return agvDetails(*agv);
-    return stationDetails(pixel);
+    if (const QString station = stationDetails(pixel); !station.isEmpty())
+        return station;
+    return accuracyDetails(pixel);
 }
 
 QString MapWidget::agvDetails(const AgvSnapshot& agv) const
@@ -90,8 +95,10 @@ QString MapWidget::stopDetails(QPointF pixel) const
     return {};
 }
 
-QString MapWidget::tagDetails(QPointF pixel) const
+const FloorTag* MapWidget::floorTagAt(QPointF pixel) const
 {
+    if (!layers().floorTags)
+        return nullptr;
     const FloorTag* nearest = nullptr;
     double best = std::max(reach_px, m_viewport.toPixels(m_plant.tagRadius_m));
     for (const FloorTag& tag : m_plant.floorTags) {
@@ -101,51 +108,104 @@ QString MapWidget::tagDetails(QPointF pixel) const
             nearest = &tag;
         }
     }
-    if (!nearest)
+    return nearest;
+}
+
+QString MapWidget::tagDetails(QPointF pixel) const
+{
+    const FloorTag* tag = floorTagAt(pixel);
+    if (!tag)
         return {};
-    return tr("Floor tag %1 (%2)\n%3\nx %4, y %5")
-        .arg(nearest->number)
-        .arg(QString::fromStdString(shortText(nearest->uid)), QString::fromStdString(fullText(nearest->uid)),
-             Words::millimetres(nearest->position.x), Words::millimetres(nearest->position.y));
+    QStringList lines{tr("Floor tag %1 (%2)\n%3\nx %4, y %5")
+                          .arg(tag->number)
+                          .arg(QString::fromStdString(shortText(tag->uid)),
+                               QString::fromStdString(fullText(tag->uid)),
+                               Words::millimetres(tag->position.x), Words::millimetres(tag->position.y))};
+    switch (m_marks.stateOf(tag->uid)) {
+    case FloorTagMarks::State::NotSeen:
+        break;
+    case FloorTagMarks::State::SeenBefore:
+        lines << tr("Seen in this session");
+        break;
+    case FloorTagMarks::State::Missing:
+        lines << tr("Missing: a turn should have read it and did not");
+        break;
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
+QString MapWidget::unknownTagDetails(QPointF pixel) const
+{
+    for (const FloorTagMarks::Unknown& unknown : m_marks.unknown()) {
+        if (pixelsApart(m_viewport.toPixels(unknown.antenna), pixel) <= reach_px)
+            return tr("Unknown floor tag %1 was read here; the plant file does not name it")
+                .arg(QString::fromStdString(fullText(unknown.uid)));
+    }
+    return {};
+}
+
+QString MapWidget::accuracyDetails(QPointF pixel) const
+{
+    if (!layers().accuracy || m_plant.anchors.empty())
+        return {};
+    const std::optional<double> radius = expectedUwbRadius(m_plant, m_viewport.toPlant(pixel));
+    return radius ? tr("UWB positions here: 95 % within about %1, as the anchors stand")
+                        .arg(Words::millimetres(*radius))
+                  : tr("No UWB position here: the anchors stand too much in one direction");
+}
+
+const UwbTagSnapshot* MapWidget::uwbTagAt(QPointF pixel) const
+{
+    if (!m_snapshot.uwb || !layers().uwbTags)
+        return nullptr;
+    for (const UwbTagSnapshot& tag : m_snapshot.uwb->tags) {
+        if (tag.position && pixelsApart(m_viewport.toPixels(*tag.position), pixel) <= reach_px)
+            return &tag;
+    }
+    return nullptr;
 }
 
 QString MapWidget::uwbTagDetails(QPointF pixel) const
 {
-    if (!m_snapshot.uwb)
+    const UwbTagSnapshot* tag = uwbTagAt(pixel);
+    if (!tag)
         return {};
-    for (const UwbTagSnapshot& tag : m_snapshot.uwb->tags) {
-        if (!tag.position || pixelsApart(m_viewport.toPixels(*tag.position), pixel) > reach_px)
-            continue;
-        const model::Ellipse95 ellipse = model::ellipse95(tag.covariance);
-        QStringList lines{tag.label.empty()
-                              ? tr("UWB tag %1").arg(tag.id)
-                              : tr("UWB tag %1, %2").arg(tag.id).arg(QString::fromStdString(tag.label))};
-        if (tag.agv)
-            lines << tr("On AGV %1").arg(tag.agv->number);
-        lines << tr("x %1, y %2, 95 % within %3 by %4")
-                     .arg(Words::millimetres(tag.position->x), Words::millimetres(tag.position->y),
-                          Words::millimetres(ellipse.major_m), Words::millimetres(ellipse.minor_m));
-        lines << tr("%1 ranges, %2 of them obstructed")
-                     .arg(tag.ranges.size())
-                     .arg(std::ranges::count(tag.ranges, true, &UwbRangeSnapshot::rejected));
-        lines << tr("%1, %2 exchanges missed").arg(Words::rate(tag.reportsPerSecond)).arg(tag.missed);
-        return lines.join(QLatin1Char('\n'));
+    const model::Ellipse95 ellipse = model::ellipse95(tag->covariance);
+    QStringList lines{tag->label.empty()
+                          ? tr("UWB tag %1").arg(tag->id)
+                          : tr("UWB tag %1, %2").arg(tag->id).arg(QString::fromStdString(tag->label))};
+    if (tag->agv)
+        lines << tr("On AGV %1").arg(tag->agv->number);
+    lines << tr("x %1, y %2, 95 % within %3 by %4")
+                 .arg(Words::millimetres(tag->position->x), Words::millimetres(tag->position->y),
+                      Words::millimetres(ellipse.major_m), Words::millimetres(ellipse.minor_m));
+    lines << tr("%1 ranges, %2 of them obstructed")
+                 .arg(tag->ranges.size())
+                 .arg(std::ranges::count(tag->ranges, true, &UwbRangeSnapshot::rejected));
+    lines << tr("%1, %2 exchanges missed").arg(Words::rate(tag->reportsPerSecond)).arg(tag->missed);
+    return lines.join(QLatin1Char('\n'));
+}
+
+const UwbAnchor* MapWidget::anchorAt(QPointF pixel) const
+{
+    if (!layers().anchors)
+        return nullptr;
+    for (const UwbAnchor& anchor : m_plant.anchors) {
+        if (anchor.shown && pixelsApart(m_viewport.toPixels(Point2{anchor.x, anchor.y}), pixel) <= reach_px)
+            return &anchor;
     }
-    return {};
+    return nullptr;
 }
 
 QString MapWidget::anchorDetails(QPointF pixel) const
 {
-    for (const UwbAnchor& anchor : m_plant.anchors) {
-        const Point2 place{anchor.x, anchor.y};
-        if (!anchor.shown || pixelsApart(m_viewport.toPixels(place), pixel) > reach_px)
-            continue;
-        return tr("UWB anchor %1, %2\nx %3, y %4, height %5")
-            .arg(anchor.id)
-            .arg(QString::fromStdString(anchor.label), Words::millimetres(anchor.x),
-                 Words::millimetres(anchor.y), Words::millimetres(anchor.z));
-    }
-    return {};
+    const UwbAnchor* anchor = anchorAt(pixel);
+    if (!anchor)
+        return {};
+    return tr("UWB anchor %1, %2\nx %3, y %4, height %5")
+        .arg(anchor->id)
+        .arg(QString::fromStdString(anchor->label), Words::millimetres(anchor->x),
+             Words::millimetres(anchor->y), Words::millimetres(anchor->z));
 }
 
 QString MapWidget::stationDetails(QPointF pixel) const

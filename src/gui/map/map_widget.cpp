@@ -2,15 +2,15 @@
 #include "gui/map/map_widget.h"
 
 #include "gui/map/map_agvs.h"
+#include "gui/map/range_painter.h"
 #include "gui/map/station_painter.h"
+#include "gui/map/trail_painter.h"
 #include "gui/map/turn_painter.h"
+#include "gui/map/uwb_painter.h"
 
 #include <QHelpEvent>
-#include <QKeyEvent>
-#include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
-#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,6 @@ namespace agv::gui {
 namespace {
 
 constexpr double zoomStep = 1.25;
-constexpr double panStep_px = 60.0;
 
 } // namespace
 
@@ -30,7 +29,7 @@ MapWidget::MapWidget(QWidget* parent) : QWidget(parent)
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMinimumSize(240, 200);
     setAccessibleName(tr("Map of the plant"));
-    setCursor(Qt::CrossCursor);
+    setToolCursor();
     m_static.setFont(font());
 }
 
@@ -39,7 +38,10 @@ void MapWidget::setPlant(const PlantLayout& plant)
     m_plant = plant;
     m_tags = tagMapOf(m_plant);
     m_static.setPlant(&m_plant);
-    m_uwbTrails.clear();
+    m_trails.clear();
+    m_marks.clear();
+    m_measured.reset();
+    m_clickedTag.reset();
     fit();
 }
 
@@ -57,16 +59,23 @@ void MapWidget::setTheme(const Theme& theme)
     update();
 }
 
-void MapWidget::setLayers(const StaticLayer::Options& options)
+void MapWidget::setLayers(const MapLayers& layers)
 {
-    m_static.setOptions(options);
+    m_static.setLayers(layers);
+    update();
+}
+
+void MapWidget::setTrailLimit(const TrailLimit& limit)
+{
+    m_trails.setLimit(limit);
     update();
 }
 
 void MapWidget::showSnapshot(const PlantSnapshot& snapshot)
 {
     m_snapshot = snapshot;
-    m_uwbTrails.add(snapshot);
+    m_trails.add(snapshot);
+    m_marks.add(snapshot);
     follow();
     update();
 }
@@ -123,6 +132,13 @@ void MapWidget::zoomToSelected()
     userMoved();
 }
 
+void MapWidget::centreOn(Point2 place)
+{
+    setFollowing(false);
+    m_viewport.setCentre(place);
+    userMoved();
+}
+
 void MapWidget::setFollowing(bool following)
 {
     if (m_following == following)
@@ -155,11 +171,41 @@ void MapWidget::paintEvent(QPaintEvent*)
     ++m_frames;
     QPainter painter(this);
     painter.drawImage(QPointF(), m_static.image(m_viewport, devicePixelRatioF()));
+    paintAbove(painter);
+    if (hasFocus() && m_keyboardFocus) {
+        painter.setPen(QPen(m_theme.accent, 2.0));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
+    }
+}
+
+void MapWidget::paintPicture(QPainter& painter)
+{
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(font());
+    painter.setClipRect(rect());
+    m_static.paintAt(painter, m_viewport);
+    paintAbove(painter);
+}
+
+void MapWidget::paintAbove(QPainter& painter) const
+{
     painter.setRenderHint(QPainter::Antialiasing);
     painter.save();
     painter.setClipRect(drawingArea());
+    paintMoving(painter);
+    paintOverlays(painter);
+    painter.restore();
+}
+
+void MapWidget::paintMoving(QPainter& painter) const
+{
     // Small AGVs are symbols and must stay readable; large ones are see-through drawings.
     const bool large = m_viewport.scale() > 360.0;
+    if (layers().floorTags)
+        m_marks.paint(painter, m_viewport, m_plant.floorTags, m_plant.tagRadius_m, m_theme);
+    if (layers().trails)
+        paintTrails(painter, m_viewport, m_snapshot, m_trails, m_theme);
     if (layers().stations)
         paintStationNames(painter, m_viewport, m_plant, stationNames(), m_theme);
     if (!large)
@@ -171,14 +217,38 @@ void MapWidget::paintEvent(QPaintEvent*)
         if (const TurnEstimate* estimate = shownEstimate(agv))
             paintStops(painter, m_viewport, *estimate, m_theme);
     }
-    if (m_snapshot.uwb)
-        paintUwbTags(painter, m_viewport, *m_snapshot.uwb, m_uwbTrails, m_theme);
-    painter.restore();
-    if (hasFocus() && m_keyboardFocus) {
-        painter.setPen(QPen(m_theme.accent, 2.0));
+    if (const UwbTagSnapshot* tag = layers().ranges ? shownUwbTag() : nullptr)
+        paintRanges(painter, m_viewport, *tag, m_plant.anchors, m_theme);
+    if (m_snapshot.uwb && layers().uwbTags)
+        paintUwbTags(painter, m_viewport, *m_snapshot.uwb, layers().uncertainty, m_theme);
+}
+
+void MapWidget::paintOverlays(QPainter& painter) const
+{
+    if (m_movingAnchor) {
+        const QPointF at = m_viewport.toPixels(m_movedTo);
+        painter.setPen(QPen(m_theme.accent, 1.6));
         painter.setBrush(Qt::NoBrush);
-        painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
+        painter.drawEllipse(at, 11.0, 11.0);
+        painter.drawLine(at - QPointF(15.0, 0.0), at + QPointF(15.0, 0.0));
+        painter.drawLine(at - QPointF(0.0, 15.0), at + QPointF(0.0, 15.0));
     }
+    if (m_measured)
+        paintMeasureLine(painter, m_viewport, *m_measured, m_theme);
+    if (layers().minimap)
+        m_minimap.paint(painter, m_viewport, m_plant, areaOf(m_plant), m_snapshot, m_theme);
+}
+
+const UwbTagSnapshot* MapWidget::shownUwbTag() const
+{
+    if (!m_snapshot.uwb)
+        return nullptr;
+    const std::vector<UwbTagSnapshot>& tags = m_snapshot.uwb->tags;
+    const auto clicked = std::ranges::find(tags, m_clickedTag.value_or(-1), &UwbTagSnapshot::id);
+    if (clicked != tags.end())
+        return &*clicked;
+    const auto own = std::ranges::find(tags, std::optional(RobotId{m_selected}), &UwbTagSnapshot::agv);
+    return own == tags.end() ? nullptr : &*own;
 }
 
 void MapWidget::resizeEvent(QResizeEvent* event)
@@ -198,95 +268,6 @@ void MapWidget::changeEvent(QEvent* event)
     }
     QWidget::changeEvent(event);
 }
-
-void MapWidget::wheelEvent(QWheelEvent* event)
-{
-    m_viewport.zoomAt(event->position(), std::pow(zoomStep, event->angleDelta().y() / 120.0));
-    userMoved();
-    event->accept();
-}
-
-void MapWidget::mousePressEvent(QMouseEvent* event)
-{
-    if (event->button() != Qt::LeftButton && event->button() != Qt::MiddleButton)
-        return;
-    m_press = m_last = event->position();
-    m_dragging = false;
-}
-
-void MapWidget::mouseMoveEvent(QMouseEvent* event)
-{
-    const Point2 p = m_viewport.toPlant(event->position());
-    emit pointerMoved(p.x, p.y);
-    if (!(event->buttons() & (Qt::LeftButton | Qt::MiddleButton)))
-        return;
-    if (!m_dragging && (event->position() - m_press).manhattanLength() < 4.0)
-        return;
-    if (!m_dragging) {
-        m_dragging = true;
-        setFollowing(false);
-        setCursor(Qt::ClosedHandCursor);
-    }
-    m_viewport.pan(event->position() - m_last);
-    m_last = event->position();
-    userMoved();
-}
-
-void MapWidget::mouseReleaseEvent(QMouseEvent* event)
-{
-    setCursor(Qt::CrossCursor);
-    if (!m_dragging && event->button() == Qt::LeftButton) {
-        if (const AgvSnapshot* agv = agvAt(event->position()))
-            emit robotClicked(agv->id.number);
-    }
-    m_dragging = false;
-}
-
-void MapWidget::mouseDoubleClickEvent(QMouseEvent* event)
-{
-    if (agvAt(event->position()))
-        zoomToSelected();
-}
-
-void MapWidget::keyPressEvent(QKeyEvent* event)
-{
-    switch (event->key()) {
-    case Qt::Key_Left:
-        m_viewport.pan({panStep_px, 0.0});
-        break;
-    case Qt::Key_Right:
-        m_viewport.pan({-panStep_px, 0.0});
-        break;
-    case Qt::Key_Up:
-        m_viewport.pan({0.0, panStep_px});
-        break;
-    case Qt::Key_Down:
-        m_viewport.pan({0.0, -panStep_px});
-        break;
-    case Qt::Key_Plus:
-    case Qt::Key_Equal:
-        zoomIn();
-        return;
-    case Qt::Key_Minus:
-        zoomOut();
-        return;
-    default:
-        QWidget::keyPressEvent(event);
-        return;
-    }
-    setFollowing(false);
-    userMoved();
-}
-
-void MapWidget::focusInEvent(QFocusEvent* event)
-{
-    const Qt::FocusReason reason = event->reason();
-    m_keyboardFocus =
-        reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason || reason == Qt::ShortcutFocusReason;
-    QWidget::focusInEvent(event);
-}
-
-void MapWidget::leaveEvent(QEvent*) { emit pointerLeft(); }
 
 bool MapWidget::event(QEvent* event)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/map/static_layer.h"
 
+#include "gui/map/accuracy_layer.h"
 #include "gui/map/station_painter.h"
 #include "gui/map/uwb_painter.h"
 #include "model/words.h"
@@ -26,11 +27,17 @@ QRectF pixelRect(const Viewport& viewport, const QRectF& area)
 QRectF areaOf(const PlantLayout& plant)
 {
     QRectF area(plant.origin.x, plant.origin.y, plant.width_m, plant.height_m);
-    for (const FloorTag& tag : plant.floorTags) {
-        area.setLeft(std::min(area.left(), tag.position.x));
-        area.setRight(std::max(area.right(), tag.position.x));
-        area.setTop(std::min(area.top(), tag.position.y));
-        area.setBottom(std::max(area.bottom(), tag.position.y));
+    const auto hold = [&area](Point2 place) {
+        area.setLeft(std::min(area.left(), place.x));
+        area.setRight(std::max(area.right(), place.x));
+        area.setTop(std::min(area.top(), place.y));
+        area.setBottom(std::max(area.bottom(), place.y));
+    };
+    for (const FloorTag& tag : plant.floorTags)
+        hold(tag.position);
+    for (const UwbAnchor& anchor : plant.anchors) {
+        if (anchor.shown)
+            hold({anchor.x, anchor.y});
     }
     return area;
 }
@@ -53,10 +60,10 @@ void StaticLayer::setFont(const QFont& font)
     m_valid = false;
 }
 
-void StaticLayer::setOptions(const Options& options)
+void StaticLayer::setLayers(const MapLayers& layers)
 {
-    m_valid = m_valid && options == m_options;
-    m_options = options;
+    m_valid = m_valid && layers == m_layers;
+    m_layers = layers;
 }
 
 const QImage& StaticLayer::image(const Viewport& viewport, double devicePixelRatio)
@@ -79,19 +86,32 @@ const QImage& StaticLayer::image(const Viewport& viewport, double devicePixelRat
     return m_image;
 }
 
+void StaticLayer::paintAt(QPainter& painter, const Viewport& viewport)
+{
+    m_valid = m_valid && viewport == m_viewport;
+    m_viewport = viewport;
+    painter.fillRect(QRectF(QPointF(), viewport.size()), m_theme.mapOutside);
+    paint(painter);
+}
+
 void StaticLayer::paint(QPainter& painter) const
 {
     if (m_plant) {
         paintFloor(painter);
-        if (m_options.floorTags)
+        if (m_layers.floorTags)
             paintFloorTags(painter);
-        if (m_options.stations)
+        if (m_layers.stations)
             paintStations(painter);
         paintObstacles(painter);
-        paintUwbAnchors(painter, m_viewport, *m_plant, m_theme);
+        if (m_layers.accuracy && !m_plant->anchors.empty())
+            paintAccuracy(painter, m_viewport, *m_plant, m_theme);
+        if (m_layers.anchors)
+            paintUwbAnchors(painter, m_viewport, *m_plant, m_theme);
     }
     paintRulers(painter);
     paintScaleBar(painter);
+    if (m_plant && m_layers.accuracy && !m_plant->anchors.empty())
+        paintAccuracyLegend(painter, {rulerWidth + 12.0, 12.0}, m_theme);
 }
 
 void StaticLayer::paintFloor(QPainter& painter) const
@@ -99,7 +119,7 @@ void StaticLayer::paintFloor(QPainter& painter) const
     const QRectF area(m_plant->origin.x, m_plant->origin.y, m_plant->width_m, m_plant->height_m);
     const QRectF floor = pixelRect(m_viewport, area);
     painter.fillRect(floor, m_theme.mapFloor);
-    if (m_options.grid) {
+    if (m_layers.grid) {
         const double step = niceStepBelow(tickSpacing_px / m_viewport.scale() * 2.0);
         painter.setPen(QPen(m_theme.mapGrid, 1.0));
         painter.setRenderHint(QPainter::Antialiasing, false);

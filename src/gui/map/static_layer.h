@@ -5,6 +5,7 @@
 #include <QImage>
 
 #include "core/plant_layout.h"
+#include "gui/map/map_layers.h"
 #include "gui/map/viewport.h"
 #include "gui/theme.h"
 
@@ -23,21 +24,17 @@ inline constexpr double scaleBarRoom = 132.0;
 /// rulers, scale bar. Painted into an image once per view and reused until view, plant or colours change.
 class StaticLayer {
 public:
-    struct Options {
-        bool grid = true;
-        bool floorTags = true;
-        bool stations = true;
-        friend bool operator==(const Options&, const Options&) = default;
-    };
-
     void setPlant(const PlantLayout* plant); ///< not owned; must outlive the layer
     void setTheme(const Theme& theme);
     void setFont(const QFont& font);
-    void setOptions(const Options& options);
-    const Options& options() const { return m_options; }
+    void setLayers(const MapLayers& layers);
+    const MapLayers& layers() const { return m_layers; }
 
     /// The picture of `viewport` at this device pixel ratio.
     const QImage& image(const Viewport& viewport, double devicePixelRatio);
+
+    /// Paints the same with another painter, for a drawing or a document.
+    void paintAt(QPainter& painter, const Viewport& viewport);
 
     /// How often the picture has been painted anew; snapshots must not raise it.
     int paintCount() const { return m_paintCount; }
@@ -54,7 +51,7 @@ private:
     const PlantLayout* m_plant = nullptr;
     Theme m_theme = Theme::light();
     QFont m_font;
-    Options m_options;
+    MapLayers m_layers;
     Viewport m_viewport;
     double m_ratio = 0.0;
     bool m_valid = false;
@@ -62,7 +59,8 @@ private:
     int m_paintCount = 0;
 };
 
-/// The plant's rectangle in m (QRectF::bottom() is the northern edge), widened to hold every floor tag.
+/// The plant's rectangle in m (QRectF::bottom() is the northern edge), widened to hold every floor tag and
+/// every anchor that is shown.
 QRectF areaOf(const PlantLayout& plant);
 
 } // namespace agv::gui

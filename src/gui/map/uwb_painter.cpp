@@ -6,26 +6,11 @@
 #include <QPainter>
 #include <QPolygonF>
 
-#include <algorithm>
-
 namespace agv::gui {
 namespace {
 
 constexpr double mapAnchorSize_px = 7.0;
 constexpr double crossSize_px = 5.0;
-
-void paintTrail(QPainter& painter, const Viewport& viewport, const std::deque<Point2>& trail,
-                const Theme& theme)
-{
-    QPolygonF line;
-    line.reserve(static_cast<qsizetype>(trail.size()));
-    for (const Point2 point : trail)
-        line << viewport.toPixels(point);
-    QColor colour = theme.estimate;
-    colour.setAlpha(110);
-    painter.setPen(QPen(colour, 1.2));
-    painter.drawPolyline(line);
-}
 
 void paintUncertainty(QPainter& painter, const Viewport& viewport, const UwbTagSnapshot& tag,
                       const Theme& theme)
@@ -53,32 +38,6 @@ void paintMark(QPainter& painter, QPointF at, const QString& label, const Theme&
 
 } // namespace
 
-void UwbTrails::add(const PlantSnapshot& snapshot)
-{
-    static const std::vector<UwbTagSnapshot> none;
-    const std::vector<UwbTagSnapshot>& tags = snapshot.uwb ? snapshot.uwb->tags : none;
-    std::erase_if(m_trails, [&](const auto& entry) {
-        return std::ranges::find(tags, entry.first, &UwbTagSnapshot::id) == tags.end();
-    });
-    for (const UwbTagSnapshot& tag : tags) {
-        if (!tag.position)
-            continue;
-        std::deque<Point2>& trail = m_trails[tag.id];
-        if (!trail.empty() && distance(trail.back(), *tag.position) < spacing_m)
-            continue;
-        trail.push_back(*tag.position);
-        if (trail.size() > mostPoints)
-            trail.pop_front();
-    }
-}
-
-const std::deque<Point2>& UwbTrails::of(int tag) const
-{
-    static const std::deque<Point2> none;
-    const auto found = m_trails.find(tag);
-    return found == m_trails.end() ? none : found->second;
-}
-
 void paintUwbAnchors(QPainter& painter, const Viewport& viewport, const PlantLayout& plant,
                      const Theme& theme)
 {
@@ -96,17 +55,16 @@ void paintUwbAnchors(QPainter& painter, const Viewport& viewport, const PlantLay
     }
 }
 
-void paintUwbTags(QPainter& painter, const Viewport& viewport, const UwbSnapshot& uwb,
-                  const UwbTrails& trails, const Theme& theme)
+void paintUwbTags(QPainter& painter, const Viewport& viewport, const UwbSnapshot& uwb, bool withUncertainty,
+                  const Theme& theme)
 {
     painter.save();
     painter.setBrush(Qt::NoBrush);
-    for (const UwbTagSnapshot& tag : uwb.tags)
-        paintTrail(painter, viewport, trails.of(tag.id), theme);
     for (const UwbTagSnapshot& tag : uwb.tags) {
         if (!tag.position)
             continue;
-        paintUncertainty(painter, viewport, tag, theme);
+        if (withUncertainty)
+            paintUncertainty(painter, viewport, tag, theme);
         const QString label =
             tag.label.empty() ? QStringLiteral("T%1").arg(tag.id) : QString::fromStdString(tag.label);
         paintMark(painter, viewport.toPixels(*tag.position), label, theme);
