@@ -18,7 +18,7 @@ namespace {
 struct AccuracyTexts {
     Q_DECLARE_TR_FUNCTIONS(agv::gui::AccuracyTexts)
 public:
-    static QString title() { return tr("Expected UWB accuracy, 95 %"); }
+    static QString title() { return tr("Expected UWB\naccuracy, 95 %"); }
     static QString upTo(double radius_m) { return tr("up to %1").arg(model::Words::millimetres(radius_m)); }
     static QString beyond(double radius_m) { return tr("over %1").arg(model::Words::millimetres(radius_m)); }
     static QString none() { return tr("no position"); }
@@ -103,28 +103,30 @@ void paintAccuracy(QPainter& painter, const Viewport& viewport, const PlantLayou
     painter.restore();
 }
 
-void paintAccuracyLegend(QPainter& painter, QPointF corner, const Theme& theme)
+void paintAccuracyLegend(QPainter& painter, QPointF upperRight, const Theme& theme)
 {
     const QFontMetricsF metrics(painter.font());
     const double line = metrics.height() + 2.0;
-    const double swatch = 22.0;
+    constexpr double swatch = 22.0;
     QStringList texts;
     for (const double edge : accuracySteps_m)
         texts << AccuracyTexts::upTo(edge);
     texts << AccuracyTexts::beyond(accuracySteps_m.back()) << AccuracyTexts::none();
-    double width = metrics.horizontalAdvance(AccuracyTexts::title());
+    const QRectF title = metrics.boundingRect(QRectF(0, 0, 400, 100), Qt::AlignLeft, AccuracyTexts::title());
+    double width = title.width();
     for (const QString& text : texts)
         width = std::max(width, swatch + 6.0 + metrics.horizontalAdvance(text));
-    const QRectF box(corner, QSizeF(width + 16.0, line * (1.0 + static_cast<double>(texts.size())) + 12.0));
+    const QSizeF size(width + 16.0, title.height() + line * static_cast<double>(texts.size()) + 16.0);
+    const QRectF box(upperRight - QPointF(size.width(), 0.0), size);
     painter.save();
     painter.setPen(QPen(theme.border, 1.0));
     painter.setBrush(theme.panel);
     painter.drawRoundedRect(box, 5.0, 5.0);
     painter.setPen(theme.text);
-    painter.drawText(QRectF(box.left() + 8.0, box.top() + 5.0, width, line), Qt::AlignVCenter,
+    painter.drawText(QRectF(box.topLeft() + QPointF(8.0, 5.0), title.size()), Qt::AlignLeft,
                      AccuracyTexts::title());
     for (int step = 0; step < texts.size(); ++step) {
-        const QRectF row(box.left() + 8.0, box.top() + 6.0 + line * (step + 1), width, line);
+        const QRectF row(box.left() + 8.0, box.top() + title.height() + 9.0 + line * step, width, line);
         const QRectF sample(row.left(), row.top() + 2.0, swatch, line - 4.0);
         painter.fillRect(sample, theme.mapFloor);
         painter.fillRect(sample, accuracyShade(step, theme));

@@ -21,7 +21,7 @@ std::optional<double> expectedUwbRadius(const PlantLayout& plant, Point2 place);
 /// each step begins, hatched where there is no position.
 void paintAccuracy(QPainter& painter, const Viewport& viewport, const PlantLayout& plant, const Theme& theme);
 
-/// Explains the shades of paintAccuracy(); its upper left corner at `corner`, px.
-void paintAccuracyLegend(QPainter& painter, QPointF corner, const Theme& theme);
+/// Explains the shades of paintAccuracy().
+void paintAccuracyLegend(QPainter& painter, QPointF upperRight, const Theme& theme);
 
 } // namespace agv::gui

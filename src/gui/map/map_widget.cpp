@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/map/map_widget.h"
 
+#include "gui/map/accuracy_layer.h"
 #include "gui/map/map_agvs.h"
 #include "gui/map/range_painter.h"
 #include "gui/map/station_painter.h"
@@ -233,10 +234,15 @@ void MapWidget::paintOverlays(QPainter& painter) const
         painter.drawLine(at - QPointF(15.0, 0.0), at + QPointF(15.0, 0.0));
         painter.drawLine(at - QPointF(0.0, 15.0), at + QPointF(0.0, 15.0));
     }
+    const QRectF area = areaOf(m_plant);
+    const std::optional<QRectF> overview =
+        layers().minimap ? m_minimap.place(m_viewport, area) : std::nullopt;
+    if (overview)
+        m_minimap.paint(painter, m_viewport, m_plant, area, m_snapshot, m_theme);
+    if (layers().accuracy && !m_plant.anchors.empty())
+        paintAccuracyLegend(painter, {width() - 8.0, overview ? overview->bottom() + 8.0 : 8.0}, m_theme);
     if (m_measured)
         paintMeasureLine(painter, m_viewport, *m_measured, m_theme);
-    if (layers().minimap)
-        m_minimap.paint(painter, m_viewport, m_plant, areaOf(m_plant), m_snapshot, m_theme);
 }
 
 const UwbTagSnapshot* MapWidget::shownUwbTag() const

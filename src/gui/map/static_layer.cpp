@@ -110,8 +110,6 @@ void StaticLayer::paint(QPainter& painter) const
     }
     paintRulers(painter);
     paintScaleBar(painter);
-    if (m_plant && m_layers.accuracy && !m_plant->anchors.empty())
-        paintAccuracyLegend(painter, {rulerWidth + 12.0, 12.0}, m_theme);
 }
 
 void StaticLayer::paintFloor(QPainter& painter) const
