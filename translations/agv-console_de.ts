@@ -588,6 +588,106 @@
         <source>Write the anchors to a file</source>
         <translation>Die Anker in eine Datei schreiben</translation>
     </message>
+    <message>
+        <source>&amp;Map</source>
+        <translation>&amp;Karte</translation>
+    </message>
+    <message>
+        <source>&amp;Layers</source>
+        <translation>&amp;Ebenen</translation>
+    </message>
+    <message>
+        <source>&amp;Trails</source>
+        <translation>S&amp;puren</translation>
+    </message>
+    <message>
+        <source>Show UWB &amp;anchors</source>
+        <translation>UWB-&amp;Anker zeigen</translation>
+    </message>
+    <message>
+        <source>Show &amp;UWB tags</source>
+        <translation>&amp;UWB-Tags zeigen</translation>
+    </message>
+    <message>
+        <source>Show t&amp;rails</source>
+        <translation>S&amp;puren zeigen</translation>
+    </message>
+    <message>
+        <source>Show un&amp;certainty of UWB tags</source>
+        <translation>Uns&amp;icherheit der UWB-Tags zeigen</translation>
+    </message>
+    <message>
+        <source>Show UWB ra&amp;nges</source>
+        <translation>UWB-Abstä&amp;nde zeigen</translation>
+    </message>
+    <message>
+        <source>Circles of the ranges of the UWB tag that was clicked, or of the chosen AGV</source>
+        <translation>Kreise der Abstände des angeklickten UWB-Tags oder des gewählten AGV</translation>
+    </message>
+    <message>
+        <source>Show &amp;expected UWB accuracy</source>
+        <translation>&amp;Erwartete UWB-Genauigkeit zeigen</translation>
+    </message>
+    <message>
+        <source>How well the anchors can tell a place, from where they stand</source>
+        <translation>Wie genau die Anker einen Ort bestimmen können, so wie sie stehen</translation>
+    </message>
+    <message>
+        <source>Show &amp;overview when zoomed in</source>
+        <translation>Ü&amp;bersicht zeigen, wenn vergrößert</translation>
+    </message>
+    <message>
+        <source>10 seconds</source>
+        <translation>10 Sekunden</translation>
+    </message>
+    <message>
+        <source>1 minute</source>
+        <translation>1 Minute</translation>
+    </message>
+    <message>
+        <source>10 minutes</source>
+        <translation>10 Minuten</translation>
+    </message>
+    <message>
+        <source>2 metres</source>
+        <translation>2 Meter</translation>
+    </message>
+    <message>
+        <source>10 metres</source>
+        <translation>10 Meter</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Measure a distance on the map: click or drag from point to point</source>
+        <translation>Einen Abstand auf der Karte messen: von Punkt zu Punkt klicken oder ziehen</translation>
+    </message>
+    <message>
+        <source>Mo&amp;ve anchors</source>
+        <translation>&amp;Anker verschieben</translation>
+    </message>
+    <message>
+        <source>Drag UWB anchors to their places, in steps of 10 mm; with Shift 1 mm</source>
+        <translation>UWB-Anker an ihren Ort ziehen, in Schritten von 10 mm; mit Umschalt 1 mm</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the map as it is shown</source>
+        <translation>Die Karte kopieren, wie sie zu sehen ist</translation>
+    </message>
+    <message>
+        <source>&amp;Save picture…</source>
+        <translation>Bild &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>Save the map as it is shown, as PNG, SVG or PDF</source>
+        <translation>Die Karte speichern, wie sie zu sehen ist, als PNG, SVG oder PDF</translation>
+    </message>
 </context>
 <context>
     <name>ResultCard</name>
@@ -606,6 +706,27 @@
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::AccuracyTexts</name>
+    <message>
+        <source>Expected UWB
+accuracy, 95 %</source>
+        <translation>Erwartete UWB-
+Genauigkeit, 95 %</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>over %1</source>
+        <translation>über %1</translation>
+    </message>
+    <message>
+        <source>no position</source>
+        <translation>keine Position</translation>
     </message>
 </context>
 <context>
@@ -898,6 +1019,33 @@
     </message>
 </context>
 <context>
+    <name>agv::gui::MapControls</name>
+    <message>
+        <source>x %1, y %2</source>
+        <translation>x %1, y %2</translation>
+    </message>
+    <message>
+        <source>Copy %1</source>
+        <translation>%1 kopieren</translation>
+    </message>
+    <message>
+        <source>Measure from here</source>
+        <translation>Von hier aus messen</translation>
+    </message>
+    <message>
+        <source>Centre here</source>
+        <translation>Hierher zentrieren</translation>
+    </message>
+    <message>
+        <source>Save the map as a picture</source>
+        <translation>Karte als Bild speichern</translation>
+    </message>
+    <message>
+        <source>The map was saved as %1</source>
+        <translation>Die Karte wurde als %1 gespeichert</translation>
+    </message>
+</context>
+<context>
     <name>agv::gui::MapWidget</name>
     <message>
         <source>AGV %1</source>
@@ -969,6 +1117,33 @@ x %3, y %4, height %5</source>
         <translation>UWB-Anker %1, %2
 x %3, y %4, Höhe %5</translation>
     </message>
+    <message>
+        <source>Seen in this session</source>
+        <translation>In dieser Sitzung gelesen</translation>
+    </message>
+    <message>
+        <source>Missing: a turn should have read it and did not</source>
+        <translation>Fehlt: Eine Drehung hätte ihn lesen müssen und hat es nicht</translation>
+    </message>
+    <message>
+        <source>Unknown floor tag %1 was read here; the plant file does not name it</source>
+        <translation>Unbekannter Bodentag %1 wurde hier gelesen; die Anlagendatei nennt ihn nicht</translation>
+    </message>
+    <message>
+        <source>UWB positions here: 95 % within about %1, as the anchors stand</source>
+        <translation>UWB-Positionen hier: 95 % innerhalb von etwa %1, so wie die Anker stehen</translation>
+    </message>
+    <message>
+        <source>No UWB position here: the anchors stand too much in one direction</source>
+        <translation>Keine UWB-Position hier: Die Anker stehen zu sehr in einer Richtung</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::MeasureTexts</name>
+    <message>
+        <source>%1 along x, %2 along y</source>
+        <translation>%1 entlang x, %2 entlang y</translation>
+    </message>
 </context>
 <context>
     <name>agv::gui::NextStep</name>
@@ -1003,6 +1178,21 @@ x %3, y %4, Höhe %5</translation>
     <message>
         <source>No longer where it was located: AGV %1. Choose it and press Calibrate.</source>
         <translation>Nicht mehr dort, wo es geortet wurde: AGV %1. Wählen Sie es und drücken Sie Kalibrieren.</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::PictureTexts</name>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation>Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg)</source>
+        <translation>Zeichnung (*.svg)</translation>
+    </message>
+    <message>
+        <source>Document (*.pdf)</source>
+        <translation>Dokument (*.pdf)</translation>
     </message>
 </context>
 <context>
@@ -1189,6 +1379,21 @@ x %3, y %4, Höhe %5</translation>
     <message>
         <source>Calibrate ranges of %1</source>
         <translation>Abstände von %1 kalibrieren</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::RangeTexts</name>
+    <message>
+        <source>obstructed</source>
+        <translation>verdeckt</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>frei</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -1629,6 +1834,10 @@ x %3, y %4, Höhe %5</translation>
     <message>
         <source>Anchors of DecaRangeRTLS (*.xml)</source>
         <translation>Anker von DecaRangeRTLS (*.xml)</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 versetzen</translation>
     </message>
 </context>
 <context>

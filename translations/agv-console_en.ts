@@ -588,6 +588,106 @@
         <source>Write the anchors to a file</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>&amp;Map</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Trails</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show UWB &amp;anchors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show &amp;UWB tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show t&amp;rails</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show un&amp;certainty of UWB tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show UWB ra&amp;nges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Circles of the ranges of the UWB tag that was clicked, or of the chosen AGV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show &amp;expected UWB accuracy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How well the anchors can tell a place, from where they stand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show &amp;overview when zoomed in</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 minute</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 minutes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2 metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 metres</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure a distance on the map: click or drag from point to point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mo&amp;ve anchors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag UWB anchors to their places, in steps of 10 mm; with Shift 1 mm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the map as it is shown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Save picture…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the map as it is shown, as PNG, SVG or PDF</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ResultCard</name>
@@ -605,6 +705,26 @@
     </message>
     <message>
         <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::AccuracyTexts</name>
+    <message>
+        <source>Expected UWB
+accuracy, 95 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>over %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no position</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -898,6 +1018,33 @@
     </message>
 </context>
 <context>
+    <name>agv::gui::MapControls</name>
+    <message>
+        <source>x %1, y %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measure from here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Centre here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the map as a picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The map was saved as %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>agv::gui::MapWidget</name>
     <message>
         <source>AGV %1</source>
@@ -964,6 +1111,33 @@ x %2, y %3</source>
 x %3, y %4, height %5</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Seen in this session</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Missing: a turn should have read it and did not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unknown floor tag %1 was read here; the plant file does not name it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB positions here: 95 % within about %1, as the anchors stand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No UWB position here: the anchors stand too much in one direction</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::MeasureTexts</name>
+    <message>
+        <source>%1 along x, %2 along y</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>agv::gui::NextStep</name>
@@ -997,6 +1171,21 @@ x %3, y %4, height %5</source>
     </message>
     <message>
         <source>No longer where it was located: AGV %1. Choose it and press Calibrate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::PictureTexts</name>
+    <message>
+        <source>Picture (*.png)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drawing (*.svg)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Document (*.pdf)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1183,6 +1372,21 @@ x %3, y %4, height %5</source>
     </message>
     <message>
         <source>Calibrate ranges of %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::RangeTexts</name>
+    <message>
+        <source>obstructed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1623,6 +1827,10 @@ x %3, y %4, height %5</source>
     </message>
     <message>
         <source>Anchors of DecaRangeRTLS (*.xml)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Move %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
