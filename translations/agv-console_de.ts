@@ -2,6 +2,49 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
 <context>
+    <name>AlarmPanel</name>
+    <message>
+        <source>&amp;Acknowledge</source>
+        <translation>&amp;Quittieren</translation>
+    </message>
+    <message>
+        <source>You know of the chosen alarms; with none chosen, of all that are new</source>
+        <translation>Sie kennen die gewählten Alarme; ist keiner gewählt, alle neuen</translation>
+    </message>
+    <message>
+        <source>S&amp;helve</source>
+        <translation>&amp;Zurückstellen</translation>
+    </message>
+    <message>
+        <source>Put the chosen alarms aside for a while; not those of high priority</source>
+        <translation>Die gewählten Alarme für eine Weile beiseitelegen; nicht die von hoher Priorität</translation>
+    </message>
+    <message>
+        <source>&amp;Bring back</source>
+        <translation>Zurück&amp;holen</translation>
+    </message>
+    <message>
+        <source>Take the chosen alarms off the shelf</source>
+        <translation>Die gewählten Alarme zurückholen</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>A short sound for every new alarm</source>
+        <translation>Ein kurzer Ton bei jedem neuen Alarm</translation>
+    </message>
+    <message>
+        <source>Many alarms at once: those of low priority are held back until it is quieter.</source>
+        <translation>Viele Alarme auf einmal: Die von niedriger Priorität warten, bis es ruhiger ist.</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+</context>
+<context>
     <name>CalibrationPanel</name>
     <message>
         <source>A&amp;GV</source>
@@ -688,6 +731,26 @@
         <source>Save the map as it is shown, as PNG, SVG or PDF</source>
         <translation>Die Karte speichern, wie sie zu sehen ist, als PNG, SVG oder PDF</translation>
     </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>A&amp;larms</source>
+        <translation>A&amp;larme</translation>
+    </message>
+    <message>
+        <source>Show the list of alarms</source>
+        <translation>Die Liste der Alarme zeigen</translation>
+    </message>
+    <message>
+        <source>Acknowledge new ala&amp;rms</source>
+        <translation>Neue Alarme &amp;quittieren</translation>
+    </message>
+    <message>
+        <source>You know of the alarms chosen in the list; with none chosen, of all that are new</source>
+        <translation>Sie kennen die in der Liste gewählten Alarme; ist keiner gewählt, alle neuen</translation>
+    </message>
 </context>
 <context>
     <name>ResultCard</name>
@@ -727,6 +790,73 @@ Genauigkeit, 95 %</translation>
     <message>
         <source>no position</source>
         <translation>keine Position</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::AlarmLog</name>
+    <message>
+        <source>Alarm: %1. %2</source>
+        <translation>Alarm: %1. %2</translation>
+    </message>
+    <message>
+        <source>Alarm acknowledged: %1</source>
+        <translation>Alarm quittiert: %1</translation>
+    </message>
+    <message>
+        <source>Alarm over, not acknowledged: %1</source>
+        <translation>Alarm vorbei, nicht quittiert: %1</translation>
+    </message>
+    <message>
+        <source>Alarm shelved: %1</source>
+        <translation>Alarm zurückgestellt: %1</translation>
+    </message>
+    <message>
+        <source>Alarm over: %1</source>
+        <translation>Alarm vorbei: %1</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::AlarmPanel</name>
+    <message>
+        <source>No alarms: nothing asks for you.</source>
+        <translation>Keine Alarme: Nichts braucht Sie.</translation>
+    </message>
+    <message>
+        <source>For 10 minutes</source>
+        <translation>Für 10 Minuten</translation>
+    </message>
+    <message>
+        <source>For 1 hour</source>
+        <translation>Für 1 Stunde</translation>
+    </message>
+    <message>
+        <source>For the shift, 8 hours</source>
+        <translation>Für die Schicht, 8 Stunden</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::AlarmScreen</name>
+    <message>
+        <source>No alarms</source>
+        <translation>Keine Alarme</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alarm(s)</source>
+        <translation>
+            <numerusform>%n Alarm</numerusform>
+            <numerusform>%n Alarme</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alarm(s), %1 new</source>
+        <translation>
+            <numerusform>%n Alarm, %1 neu</numerusform>
+            <numerusform>%n Alarme, %1 neu</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show the list of alarms</source>
+        <translation>Die Liste der Alarme zeigen</translation>
     </message>
 </context>
 <context>
@@ -1838,6 +1968,188 @@ x %3, y %4, Höhe %5</translation>
     <message>
         <source>Move %1</source>
         <translation>%1 versetzen</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::AlarmTableModel</name>
+    <message>
+        <source>%1 (%2 times)</source>
+        <translation>%1 (%2-mal)</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Priorität</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>What is the matter, and what to do</source>
+        <translation>Was ist, und was ist zu tun</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::AlarmWords</name>
+    <message>
+        <source>Low</source>
+        <translation>Niedrig</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>High</source>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>Held back</source>
+        <translation>Wartet</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Acknowledged</source>
+        <translation>Quittiert</translation>
+    </message>
+    <message>
+        <source>Over, new</source>
+        <translation>Vorbei, neu</translation>
+    </message>
+    <message>
+        <source>Shelved, %1 left</source>
+        <translation>Zurückgestellt, noch %1</translation>
+    </message>
+    <message>
+        <source>Plant</source>
+        <translation>Anlage</translation>
+    </message>
+    <message>
+        <source>UWB</source>
+        <translation>UWB</translation>
+    </message>
+    <message>
+        <source>Anchor %1</source>
+        <translation>Anker %1</translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation>AGV %1</translation>
+    </message>
+    <message>
+        <source>It may be moving: its connection was lost while the wheels were turning</source>
+        <translation>Es fährt vielleicht: Die Verbindung ging verloren, während sich die Räder drehten</translation>
+    </message>
+    <message>
+        <source>The robot reports an error</source>
+        <translation>Der Roboter meldet einen Fehler</translation>
+    </message>
+    <message>
+        <source>No robot can connect</source>
+        <translation>Kein Roboter kann sich verbinden</translation>
+    </message>
+    <message>
+        <source>The connection to the robot is disturbed</source>
+        <translation>Die Verbindung zum Roboter ist gestört</translation>
+    </message>
+    <message>
+        <source>The connection to the RFID reader is disturbed</source>
+        <translation>Die Verbindung zum RFID-Leser ist gestört</translation>
+    </message>
+    <message>
+        <source>The connection to the UWB unit is disturbed</source>
+        <translation>Die Verbindung zur UWB-Einheit ist gestört</translation>
+    </message>
+    <message>
+        <source>Its position is doubted</source>
+        <translation>Seine Position ist zweifelhaft</translation>
+    </message>
+    <message>
+        <source>The battery is low</source>
+        <translation>Die Batterie ist schwach</translation>
+    </message>
+    <message>
+        <source>The anchor does not seem to stand where the list says</source>
+        <translation>Der Anker scheint nicht zu stehen, wo die Liste sagt</translation>
+    </message>
+    <message>
+        <source>Nothing has been measured for some way: the position is only predicted</source>
+        <translation>Seit einer Strecke wurde nichts gemessen: Die Position ist nur vorhergesagt</translation>
+    </message>
+    <message>
+        <source>%1 floor tags that the last turn should have read were not read</source>
+        <translation>%1 Bodentags, die die letzte Drehung hätte lesen müssen, wurden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>The last turn read floor tags that the plant file does not name: %1</source>
+        <translation>Die letzte Drehung las Bodentags, die die Anlagendatei nicht nennt: %1</translation>
+    </message>
+    <message>
+        <source>%1 tried to connect and was refused</source>
+        <translation>%1 wollte sich verbinden und wurde abgewiesen</translation>
+    </message>
+    <message>
+        <source>Go and look; use the switch of the AGV.</source>
+        <translation>Gehen Sie hin und sehen Sie nach; benutzen Sie den Schalter des AGV.</translation>
+    </message>
+    <message>
+        <source>Look at the display of the AGV; switch it off and on again.</source>
+        <translation>Sehen Sie auf die Anzeige des AGV; schalten Sie es aus und wieder ein.</translation>
+    </message>
+    <message>
+        <source>End the other program that uses the port, or change the port in the plant file.</source>
+        <translation>Beenden Sie das andere Programm, das den Port benutzt, oder ändern Sie den Port in der Anlagendatei.</translation>
+    </message>
+    <message>
+        <source>Is the AGV switched on and in reach of the Wi-Fi?</source>
+        <translation>Ist das AGV eingeschaltet und in Reichweite des WLAN?</translation>
+    </message>
+    <message>
+        <source>Has the WeMos bridge power and Wi-Fi? It is tried again by itself.</source>
+        <translation>Hat die WeMos-Brücke Strom und WLAN? Es wird von selbst wieder versucht.</translation>
+    </message>
+    <message>
+        <source>Is the UWB unit plugged in and in its report mode?</source>
+        <translation>Ist die UWB-Einheit eingesteckt und im Meldebetrieb?</translation>
+    </message>
+    <message>
+        <source>Calibrate the AGV again before it drives.</source>
+        <translation>Kalibrieren Sie das AGV neu, bevor es fährt.</translation>
+    </message>
+    <message>
+        <source>Charge it soon; until then it turns more slowly than its sleeptime expects.</source>
+        <translation>Laden Sie es bald; bis dahin dreht es langsamer, als seine Drehzeit erwartet.</translation>
+    </message>
+    <message>
+        <source>Put the anchor back, or enter its new place in the list of anchors.</source>
+        <translation>Stellen Sie den Anker zurück oder tragen Sie seinen neuen Ort in die Liste der Anker ein.</translation>
+    </message>
+    <message>
+        <source>Drive slowly over floor tags, or calibrate again.</source>
+        <translation>Fahren Sie langsam über Bodentags oder kalibrieren Sie neu.</translation>
+    </message>
+    <message>
+        <source>The map marks them with crossed squares: are they there, and whole?</source>
+        <translation>Die Karte zeigt sie als durchkreuzte Quadrate: Sind sie da und heil?</translation>
+    </message>
+    <message>
+        <source>The map marks them with question marks: add them to the plant file.</source>
+        <translation>Die Karte zeigt sie mit Fragezeichen: Tragen Sie sie in die Anlagendatei ein.</translation>
+    </message>
+    <message>
+        <source>If it is an AGV of this plant, enter its address in the plant file; else find out whose it is.</source>
+        <translation>Ist es ein AGV dieser Anlage, tragen Sie seine Adresse in die Anlagendatei ein; sonst finden Sie heraus, wem es gehört.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,49 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en_US">
 <context>
+    <name>AlarmPanel</name>
+    <message>
+        <source>&amp;Acknowledge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You know of the chosen alarms; with none chosen, of all that are new</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;helve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the chosen alarms aside for a while; not those of high priority</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Bring back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take the chosen alarms off the shelf</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A short sound for every new alarm</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Many alarms at once: those of low priority are held back until it is quieter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CalibrationPanel</name>
     <message>
         <source>A&amp;GV</source>
@@ -688,6 +731,26 @@
         <source>Save the map as it is shown, as PNG, SVG or PDF</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Alarms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A&amp;larms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the list of alarms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acknowledge new ala&amp;rms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>You know of the alarms chosen in the list; with none chosen, of all that are new</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ResultCard</name>
@@ -725,6 +788,73 @@ accuracy, 95 %</source>
     </message>
     <message>
         <source>no position</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::AlarmLog</name>
+    <message>
+        <source>Alarm: %1. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alarm acknowledged: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alarm over, not acknowledged: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alarm shelved: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alarm over: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::AlarmPanel</name>
+    <message>
+        <source>No alarms: nothing asks for you.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For 10 minutes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For 1 hour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For the shift, 8 hours</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::AlarmScreen</name>
+    <message>
+        <source>No alarms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alarm(s)</source>
+        <translation>
+            <numerusform>%n alarm</numerusform>
+            <numerusform>%n alarms</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alarm(s), %1 new</source>
+        <translation>
+            <numerusform>%n alarm, %1 new</numerusform>
+            <numerusform>%n alarms, %1 new</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Show the list of alarms</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1831,6 +1961,188 @@ x %3, y %4, height %5</source>
     </message>
     <message>
         <source>Move %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::AlarmTableModel</name>
+    <message>
+        <source>%1 (%2 times)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What is the matter, and what to do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::AlarmWords</name>
+    <message>
+        <source>Low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>High</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Held back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Acknowledged</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over, new</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shelved, %1 left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plant</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Anchor %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It may be moving: its connection was lost while the wheels were turning</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The robot reports an error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No robot can connect</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The connection to the robot is disturbed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The connection to the RFID reader is disturbed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The connection to the UWB unit is disturbed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its position is doubted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The battery is low</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The anchor does not seem to stand where the list says</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing has been measured for some way: the position is only predicted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 floor tags that the last turn should have read were not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The last turn read floor tags that the plant file does not name: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 tried to connect and was refused</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Go and look; use the switch of the AGV.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the display of the AGV; switch it off and on again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the other program that uses the port, or change the port in the plant file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is the AGV switched on and in reach of the Wi-Fi?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Has the WeMos bridge power and Wi-Fi? It is tried again by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is the UWB unit plugged in and in its report mode?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate the AGV again before it drives.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Charge it soon; until then it turns more slowly than its sleeptime expects.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put the anchor back, or enter its new place in the list of anchors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive slowly over floor tags, or calibrate again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The map marks them with crossed squares: are they there, and whole?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The map marks them with question marks: add them to the plant file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If it is an AGV of this plant, enter its address in the plant file; else find out whose it is.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

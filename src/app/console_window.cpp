@@ -11,6 +11,7 @@
 #include "gui/application_setup.h"
 #include "gui/main_window.h"
 #include "gui/plant_file_dialog.h"
+#include "session/alarm_desk.h"
 
 #include <QApplication>
 #include <QFile>
@@ -87,6 +88,11 @@ void wire(gui::MainWindow& window, session::Session& session)
     QObject::connect(&window, &MainWindow::turnSpeedChanged, &session, &Session::setTurnSpeed);
     QObject::connect(&window, &MainWindow::stopAllRequested, &session,
                      [&session] { session.stopAll("Stop all was pressed"); });
+    session::AlarmDesk& alarms = session.alarms();
+    QObject::connect(&window, &MainWindow::acknowledgeAlarmsRequested, &alarms,
+                     &session::AlarmDesk::acknowledge);
+    QObject::connect(&window, &MainWindow::shelveAlarmsRequested, &alarms, &session::AlarmDesk::shelve);
+    QObject::connect(&window, &MainWindow::unshelveAlarmsRequested, &alarms, &session::AlarmDesk::unshelve);
     QObject::connect(&session, &Session::snapshotReady, &window, &MainWindow::showSnapshot);
     QObject::connect(&session, &Session::listenFailed, &window, &MainWindow::showListenFailure);
     QObject::connect(&session, &Session::listening, &window, &MainWindow::showListening);

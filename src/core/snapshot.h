@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/alarm.h"
 #include "core/link_snapshot.h"
 #include "core/plant_layout.h"
 #include "core/robot_status.h"
@@ -69,6 +70,8 @@ struct PlantSnapshot {
     std::optional<UwbSnapshot> uwb;        ///< empty: the plant has no UWB anchors
     std::vector<std::string> refusedPeers; ///< addresses that tried to connect and are not in the plant file
     std::string listening;                 ///< "127.0.0.1:2001 (TCP), 2000 (UDP)" or why not
+    std::vector<AlarmSnapshot> alarms;     ///< by weight, then the newest first
+    bool alarmFlood = false;               ///< so many came that those of low priority wait
     bool simulated = false;
 };
 

@@ -2,6 +2,7 @@
 #include "gui/cell_delegates.h"
 
 #include "gui/glyphs.h"
+#include "model/alarm_table_model.h"
 #include "model/event_table_model.h"
 #include "model/link_table_model.h"
 
@@ -117,6 +118,35 @@ void EventLevelDelegate::initStyleOption(QStyleOptionViewItem* option, const QMo
     option->palette.setColor(QPalette::Text, colour);
     option->palette.setColor(QPalette::HighlightedText, colour);
     option->icon = glyphIcon(glyphOf(level), colour, colour);
+    option->decorationSize = QSize(glyphSide, glyphSide);
+    option->features |= QStyleOptionViewItem::HasDecoration;
+}
+
+QColor colourOf(AlarmPriority priority, const Theme& theme)
+{
+    switch (priority) {
+    case AlarmPriority::High:
+        return theme.error;
+    case AlarmPriority::Medium:
+        return theme.warning;
+    case AlarmPriority::Low:
+        break;
+    }
+    return theme.text;
+}
+
+void AlarmPriorityDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const
+{
+    QStyledItemDelegate::initStyleOption(option, index);
+    const auto priority =
+        static_cast<AlarmPriority>(index.data(model::AlarmTableModel::PriorityRole).toInt());
+    const auto state = static_cast<AlarmState>(index.data(model::AlarmTableModel::StateRole).toInt());
+    const bool isNew = state == AlarmState::Unacknowledged || state == AlarmState::Returned;
+    const QColor colour = state == AlarmState::Shelved ? m_theme.mutedText : colourOf(priority, m_theme);
+    option->palette.setColor(QPalette::Text, colour);
+    option->palette.setColor(QPalette::HighlightedText, colour);
+    option->font.setBold(isNew);
+    option->icon = glyphIcon(glyphOf(priority), colour, colour);
     option->decorationSize = QSize(glyphSide, glyphSide);
     option->features |= QStyleOptionViewItem::HasDecoration;
 }

@@ -51,6 +51,21 @@ private:
     Theme m_theme = Theme::light();
 };
 
+/// Paints the priority of an alarm with its shape, bold while nobody has acknowledged it.
+class AlarmPriorityDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+public:
+    explicit AlarmPriorityDelegate(QObject* parent = nullptr) : QStyledItemDelegate(parent) {}
+    void setTheme(const Theme& theme) { m_theme = theme; }
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
+
+private:
+    Theme m_theme = Theme::light();
+};
+
+QColor colourOf(AlarmPriority priority, const Theme& theme);
 QColor colourOf(LinkState state, const Theme& theme);
 
 } // namespace agv::gui

@@ -254,6 +254,19 @@ Glyph glyphOf(LinkState state)
     return Glyph::LinkDown;
 }
 
+Glyph glyphOf(AlarmPriority priority)
+{
+    switch (priority) {
+    case AlarmPriority::High:
+        return Glyph::Error;
+    case AlarmPriority::Medium:
+        return Glyph::Warning;
+    case AlarmPriority::Low:
+        break;
+    }
+    return Glyph::Info;
+}
+
 Glyph glyphOf(EventLevel level)
 {
     switch (level) {

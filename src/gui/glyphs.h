@@ -45,6 +45,7 @@ QIcon glyphIcon(Glyph glyph, const QColor& colour, const QColor& disabled);
 /// apart.
 Glyph glyphOf(LinkState state);
 Glyph glyphOf(EventLevel level);
+Glyph glyphOf(AlarmPriority priority);
 
 /// The program's icon.
 QIcon applicationIcon();

@@ -36,6 +36,7 @@ void MainWindow::showSnapshot(const PlantSnapshot& snapshot)
     d->ui.links->showSnapshot(snapshot);
     d->ui.calibration->showSnapshot(snapshot);
     d->uwb->showSnapshot(snapshot);
+    d->alarms->showSnapshot(snapshot);
     d->showStatus(snapshot);
     for (const EventEntry& line : d->shiftLog.linesFor(snapshot, QDateTime::currentMSecsSinceEpoch()))
         addEvent(line);

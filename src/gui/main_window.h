@@ -50,6 +50,9 @@ public slots:
     void showSerialPorts(const std::vector<agv::SerialPortInfo>& ports);
 
 signals:
+    void acknowledgeAlarmsRequested(const std::vector<agv::AlarmKey>& keys);
+    void shelveAlarmsRequested(const std::vector<agv::AlarmKey>& keys, double seconds);
+    void unshelveAlarmsRequested(const std::vector<agv::AlarmKey>& keys);
     void openReaderRequested(int robot);
     void openUwbRequested();
     void closeUwbRequested();

@@ -25,7 +25,7 @@ using model::Words;
 
 namespace {
 
-constexpr int layoutVersion = 2; ///< raised when docks or tool bars change their names
+constexpr int layoutVersion = 3; ///< raised when docks or tool bars change their names
 
 } // namespace
 
@@ -41,6 +41,7 @@ void MainWindow::Private::build(const PlantLayout& described)
     ui.calibration->setPlant(plant);
     uwb = std::make_unique<UwbScreens>(ui, q);
     uwb->setPlant(plant);
+    alarms = new AlarmScreen(ui, q);
     addVehicleActions(plant);
     ui.map->setSelectedRobot(ui.calibration->robot());
     q->setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
@@ -61,6 +62,8 @@ void MainWindow::Private::build(const PlantLayout& described)
     layout->addStretch();
     layout->addWidget(linksIcon);
     layout->addWidget(linksLabel);
+    layout->addSpacing(12);
+    layout->addWidget(alarms->button());
     layout->addSpacing(12);
     layout->addWidget(stopAllButton);
     always->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -188,6 +191,7 @@ void MainWindow::Private::applyTheme()
     ui.calibration->setTheme(theme);
     ui.events->setTheme(theme);
     uwb->setTheme(theme);
+    alarms->setTheme(theme);
     const std::pair<QAction*, Glyph> icons[] = {
         {ui.fitAction, Glyph::Fit},         {ui.zoomInAction, Glyph::ZoomIn},
         {ui.zoomOutAction, Glyph::ZoomOut}, {ui.zoomToAction, Glyph::ZoomTo},
@@ -240,6 +244,7 @@ void MainWindow::Private::focusNextPanel()
                                                     {ui.links, field(ui.links, "linkTable")},
                                                     {ui.calibration, field(ui.calibration, "robotCombo")},
                                                     {ui.events, field(ui.events, "table")},
+                                                    {ui.alarms, field(ui.alarms, "alarmTable")},
                                                     {ui.anchors, ui.anchors->table()},
                                                     {ui.uwbTags, ui.uwbTags->table()}};
     const QWidget* focus = QApplication::focusWidget();
@@ -261,7 +266,7 @@ void MainWindow::Private::focusNextPanel()
 
 QList<QDockWidget*> MainWindow::Private::docks() const
 {
-    return {ui.linksDock, ui.calibrationDock, ui.eventsDock, ui.anchorsDock, ui.tagsDock};
+    return {ui.linksDock, ui.calibrationDock, ui.eventsDock, ui.alarmsDock, ui.anchorsDock, ui.tagsDock};
 }
 
 void MainWindow::Private::resetLayout()
@@ -273,7 +278,8 @@ void MainWindow::Private::resetLayout()
     q->addDockWidget(Qt::LeftDockWidgetArea, ui.linksDock);
     q->addDockWidget(Qt::RightDockWidgetArea, ui.calibrationDock);
     q->addDockWidget(Qt::BottomDockWidgetArea, ui.eventsDock);
-    q->tabifyDockWidget(ui.eventsDock, ui.anchorsDock);
+    q->tabifyDockWidget(ui.eventsDock, ui.alarmsDock);
+    q->tabifyDockWidget(ui.alarmsDock, ui.anchorsDock);
     q->tabifyDockWidget(ui.anchorsDock, ui.tagsDock);
     ui.eventsDock->raise();
     const int em = q->fontMetrics().horizontalAdvance(QLatin1Char('0'));
@@ -363,6 +369,7 @@ void MainWindow::Private::retranslate()
     stopAllButton->setAccessibleName(tr("Stop all"));
     stopAllButton->setAccessibleDescription(tip);
     uwb->retranslate();
+    alarms->retranslate();
     showTrouble(trouble, troubleReason);
 }
 

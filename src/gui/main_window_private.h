@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "gui/alarm_screen.h"
 #include "gui/main_window.h"
 #include "gui/shift_log.h"
 #include "gui/stop_key_filter.h"
@@ -45,6 +46,7 @@ public:
     MainWindow* q;
     Ui::MainWindow ui;
     std::unique_ptr<UwbScreens> uwb;
+    AlarmScreen* alarms = nullptr; ///< owned by the window
     Theme theme = Theme::light();
     Appearance appearance = Appearance::System;
     StopKeyFilter* stopKeys = nullptr;

@@ -7,6 +7,7 @@
 #include "link/stranger_watch.h"
 #include "link/telemetry_socket.h"
 #include "session/agv_line.h"
+#include "session/alarm_desk.h"
 #include "session/event_log.h"
 #include "session/robot_link.h"
 #include "session/uwb_line.h"
@@ -59,6 +60,7 @@ public:
     EventLog events;
     link::RobotServer* server;
     link::TelemetrySocket* telemetry;
+    AlarmDesk* alarms;
     QTimer* frameTimer;
     QTimer* listenTimer;
     link::StrangerWatch telemetryStrangers;
@@ -78,6 +80,7 @@ Session::Private::Private(Session& owner, PlantLayout layout, SessionOptions ses
       events([this](const EventEntry& entry) { emit q.eventLogged(entry); }),
       server(new link::RobotServer(plant.agvs, options.guard, &owner)),
       telemetry(new link::TelemetrySocket(&owner)),
+      alarms(new AlarmDesk(&owner)),
       frameTimer(new QTimer(&owner)),
       listenTimer(new QTimer(&owner))
 {
@@ -85,6 +88,7 @@ Session::Private::Private(Session& owner, PlantLayout layout, SessionOptions ses
         addLine(agv);
     addUwb();
     wireServer();
+    QObject::connect(alarms, &AlarmDesk::changed, &owner, [this] { changed = true; });
     frameTimer->setTimerType(Qt::PreciseTimer);
     frameTimer->setInterval(frame);
     QObject::connect(frameTimer, &QTimer::timeout, &owner, [this] {
@@ -234,6 +238,7 @@ void Session::Private::publish()
         snapshot.agvs.push_back(lines.at(agv.id.number)->snapshot(published));
     if (uwb)
         snapshot.uwb = uwb->link().snapshot(published);
+    alarms->addTo(snapshot);
     emit q.snapshotReady(snapshot);
 }
 
@@ -269,6 +274,8 @@ void Session::start()
     d->frameTimer->start();
     d->publish();
 }
+
+AlarmDesk& Session::alarms() { return *d->alarms; }
 
 void Session::openReader(int robot)
 {

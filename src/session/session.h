@@ -18,6 +18,8 @@
 
 namespace agv::session {
 
+class AlarmDesk;
+
 struct SessionOptions {
     bool simulated = false; ///< shown on every screen
     std::uint64_t solverSeed = 1;
@@ -34,6 +36,9 @@ class Session : public QObject {
 public:
     Session(PlantLayout plant, SessionOptions options, QObject* parent = nullptr);
     ~Session() override;
+
+    /// What operators say of alarms goes there, queued.
+    AlarmDesk& alarms();
 
 public slots:
     /// Listens for robots and telemetry; emits listening() or an Error event that says why not. A port that

@@ -23,7 +23,7 @@ class SolverAccuracy : public ::testing::TestWithParam<Goal> {};
 TEST_P(SolverAccuracy, MeetsTheGoalsOfTheStudyAndKnowsItsUncertainty)
 {
     const Goal& goal = GetParam();
-    const TurnScenario& scenario = studyScenario(goal.scenario);
+    const TurnScenario scenario = studyScenario(goal.scenario);
     const TurnContext context = contextOf(scenario);
     const bool veryWrongTable = std::string(goal.scenario).starts_with("A9");
     ErrorSample position, heading, step, sd;
