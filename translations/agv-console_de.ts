@@ -840,23 +840,17 @@ Genauigkeit, 95 %</translation>
         <source>No alarms</source>
         <translation>Keine Alarme</translation>
     </message>
-    <message numerus="yes">
-        <source>%n alarm(s)</source>
-        <translation>
-            <numerusform>%n Alarm</numerusform>
-            <numerusform>%n Alarme</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n alarm(s), %1 new</source>
-        <translation>
-            <numerusform>%n Alarm, %1 neu</numerusform>
-            <numerusform>%n Alarme, %1 neu</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Show the list of alarms</source>
         <translation>Die Liste der Alarme zeigen</translation>
+    </message>
+    <message>
+        <source>Alarms: %1</source>
+        <translation>Alarme: %1</translation>
+    </message>
+    <message>
+        <source>Alarms: %1, %2 new</source>
+        <translation>Alarme: %1, davon %2 neu</translation>
     </message>
 </context>
 <context>
@@ -2129,7 +2123,7 @@ x %3, y %4, Höhe %5</translation>
     </message>
     <message>
         <source>Charge it soon; until then it turns more slowly than its sleeptime expects.</source>
-        <translation>Laden Sie es bald; bis dahin dreht es langsamer, als seine Drehzeit erwartet.</translation>
+        <translation>Laden Sie es bald; bis dahin dreht es langsamer, als seine Sleeptime erwartet.</translation>
     </message>
     <message>
         <source>Put the anchor back, or enter its new place in the list of anchors.</source>

@@ -839,22 +839,16 @@ accuracy, 95 %</source>
         <source>No alarms</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>%n alarm(s)</source>
-        <translation>
-            <numerusform>%n alarm</numerusform>
-            <numerusform>%n alarms</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n alarm(s), %1 new</source>
-        <translation>
-            <numerusform>%n alarm, %1 new</numerusform>
-            <numerusform>%n alarms, %1 new</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Show the list of alarms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alarms: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Alarms: %1, %2 new</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -62,8 +62,8 @@ void AlarmScreen::updateButton()
     const int active = alarms.activeCount();
     const int fresh = alarms.newCount();
     const QString text = active == 0 && fresh == 0 ? tr("No alarms")
-                         : fresh == 0              ? tr("%n alarm(s)", nullptr, active)
-                                                   : tr("%n alarm(s), %1 new", nullptr, active).arg(fresh);
+                         : fresh == 0              ? tr("Alarms: %1").arg(active)
+                                                   : tr("Alarms: %1, %2 new").arg(active).arg(fresh);
     // The first row is the weightiest.
     const bool quiet = active == 0 && fresh == 0;
     const AlarmPriority priority =

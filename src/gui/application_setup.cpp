@@ -29,7 +29,6 @@ void install(QApplication& application, const QString& name, const QLocale& loca
 void setUpApplication(QApplication& application, const QLocale& locale)
 {
     QApplication::setApplicationName(QStringLiteral("agv-console"));
-    QApplication::setApplicationDisplayName(QStringLiteral("AGV Console"));
     QApplication::setOrganizationName(QStringLiteral("agv-console"));
     QApplication::setDesktopFileName(QStringLiteral("agv-console"));
     QApplication::setWindowIcon(applicationIcon());
@@ -40,6 +39,9 @@ void setUpApplication(QApplication& application, const QLocale& locale)
             QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     install(application, QStringLiteral("agvTranslator"), locale, QStringLiteral("agv-console"),
             QStringLiteral(":/i18n"));
+    // Qt appends this name to every title that does not end with it.
+    QApplication::setApplicationDisplayName(
+        QCoreApplication::translate("agv::gui::MainWindow", "AGV Console[*]").remove(QStringLiteral("[*]")));
 }
 
 } // namespace agv::gui

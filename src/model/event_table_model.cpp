@@ -6,7 +6,6 @@
 
 #include <QDateTime>
 #include <QLocale>
-#include <QTimeZone>
 
 #include <algorithm>
 
@@ -98,7 +97,7 @@ QString EventTableModel::text(const Row& row, int column)
 QString EventTableModel::rowText(int row) const
 {
     const Row& shown = m_rows[static_cast<std::size_t>(row)];
-    const QDateTime time = QDateTime::fromMSecsSinceEpoch(shown.entry.utc_ms, QTimeZone::utc());
+    const QDateTime time = QDateTime::fromMSecsSinceEpoch(shown.entry.utc_ms).toUTC();
     return QStringList{time.toString(Qt::ISODateWithMs), text(shown, Level), text(shown, Source),
                        text(shown, Text)}
         .join(QLatin1Char('\t'));

@@ -85,10 +85,10 @@ void AlarmsTest::theButtonAlwaysTellsHowManyThereAre()
     show({});
     QCOMPARE(button->text(), QStringLiteral("No alarms"));
     show({moving, battery, seen});
-    QCOMPARE(button->text(), QStringLiteral("3 alarms, 2 new"));
+    QCOMPARE(button->text(), QStringLiteral("Alarms: 3, 2 new"));
     QCOMPARE(button->accessibleName(), button->text());
     show({seen});
-    QCOMPARE(button->text(), QStringLiteral("1 alarm"));
+    QCOMPARE(button->text(), QStringLiteral("Alarms: 1"));
 }
 
 void AlarmsTest::theButtonShowsTheList()
