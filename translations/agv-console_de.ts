@@ -1768,10 +1768,6 @@ x %3, y %4, Höhe %5</translation>
         <translation>Sleeptime von %1 auf %2 geändert</translation>
     </message>
     <message>
-        <source>Weak battery: %1 left. Charge it soon; until then it turns more slowly than its sleeptime expects.</source>
-        <translation>Schwache Batterie: noch %1. Bald laden; bis dahin dreht das AGV langsamer, als seine Sleeptime erwartet.</translation>
-    </message>
-    <message>
         <source>Wheel speed of its turns changed from %1 to %2</source>
         <translation>Radgeschwindigkeit seiner Drehungen von %1 auf %2 geändert</translation>
     </message>

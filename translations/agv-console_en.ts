@@ -1762,10 +1762,6 @@ x %3, y %4, height %5</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Weak battery: %1 left. Charge it soon; until then it turns more slowly than its sleeptime expects.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Wheel speed of its turns changed from %1 to %2</source>
         <translation type="unfinished"></translation>
     </message>

@@ -15,13 +15,6 @@ EventEntry entry(const AgvSnapshot& agv, EventLevel level, const QString& text)
     return {0, level, "AGV " + std::to_string(agv.id.number), text.toStdString()};
 }
 
-std::optional<double> chargeOf(const AgvSnapshot& agv)
-{
-    if (!agv.battery || agv.battery->capacity_Ah <= 0.0)
-        return std::nullopt;
-    return agv.battery->charge_Ah / agv.battery->capacity_Ah;
-}
-
 } // namespace
 
 std::vector<EventEntry> ShiftLog::linesFor(const PlantSnapshot& snapshot, std::int64_t utc_ms)
@@ -44,14 +37,7 @@ std::vector<EventEntry> ShiftLog::linesFor(const PlantSnapshot& snapshot, std::i
                       tr("Sleeptime changed from %1 to %2")
                           .arg(Words::milliseconds(known.turnTime_s), Words::milliseconds(agv.turnTime_s))));
         }
-        const bool weak = isWeak(agv, known.weakBattery);
-        if (weak && !known.weakBattery) {
-            lines.push_back(entry(agv, EventLevel::Warning,
-                                  tr("Weak battery: %1 left. Charge it soon; until then it turns more slowly "
-                                     "than its sleeptime expects.")
-                                      .arg(Words::percent(*chargeOf(agv)))));
-        }
-        known = {agv.turn.result, agv.turnTime_s, agv.turnSpeed_m_s, weak};
+        known = {agv.turn.result, agv.turnTime_s, agv.turnSpeed_m_s};
     }
     for (EventEntry& line : lines)
         line.utc_ms = utc_ms;
@@ -67,12 +53,6 @@ EventEntry ShiftLog::outcome(const AgvSnapshot& agv, const TurnEstimate& estimat
                  : verdict == Verdict::Warning ? EventLevel::Warning
                                                : EventLevel::Error,
                  ResultText::headline(estimate) + (pose.isEmpty() ? QString() : QStringLiteral(": ") + pose));
-}
-
-bool ShiftLog::isWeak(const AgvSnapshot& agv, bool wasWeak)
-{
-    const std::optional<double> charge = chargeOf(agv);
-    return charge ? *charge <= (wasWeak ? recoveredCharge : weakCharge) : wasWeak;
 }
 
 } // namespace agv::gui

@@ -12,14 +12,11 @@
 namespace agv::gui {
 
 /// What an operator would write into the shift log between two snapshots: the outcome of a turn in words, a
-/// sleeptime or wheel speed that was changed, a battery that became weak. The session logs what links and
-/// robots do; this is what it means. GUI thread.
+/// sleeptime or wheel speed that was changed. The session logs what links and robots do; this is what it
+/// means. What an operator has to act on is an alarm (AlarmLog). GUI thread.
 class ShiftLog {
     Q_DECLARE_TR_FUNCTIONS(agv::gui::ShiftLog)
 public:
-    static constexpr double weakCharge = 0.20;      ///< share of the capacity, at and below it: a line
-    static constexpr double recoveredCharge = 0.25; ///< from here on the next weak moment is news again
-
     /// `utc_ms` is the wall clock put on the lines.
     std::vector<EventEntry> linesFor(const PlantSnapshot& snapshot, std::int64_t utc_ms);
 
@@ -28,10 +25,8 @@ private:
         std::shared_ptr<const TurnEstimate> result;
         double turnTime_s = 0.0;
         double turnSpeed_m_s = 0.0;
-        bool weakBattery = false;
     };
     static EventEntry outcome(const AgvSnapshot& agv, const TurnEstimate& estimate);
-    static bool isWeak(const AgvSnapshot& agv, bool wasWeak);
 
     std::map<int, Known> m_known;
 };

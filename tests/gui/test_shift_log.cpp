@@ -39,7 +39,6 @@ private slots:
     void anAmbiguousTurnIsAWarning();
     void aChangedSleeptimeIsWrittenWithBothValues();
     void aChangedWheelSpeedIsWrittenWithBothValues();
-    void aWeakBatteryIsWrittenOnceUntilItHasRecovered();
     void theNextStepLeadsFromClosedReadersToLocatedAgvs();
 };
 
@@ -90,18 +89,6 @@ void ShiftLogTest::aChangedSleeptimeIsWrittenWithBothValues()
     QCOMPARE(lines.size(), std::size_t{1});
     QCOMPARE(lines[0].source, std::string("AGV 4"));
     QCOMPARE(textOf(lines[0]), QStringLiteral("Sleeptime changed from 1,125 ms to 1,180 ms"));
-}
-
-void ShiftLogTest::aWeakBatteryIsWrittenOnceUntilItHasRecovered()
-{
-    ShiftLog log;
-    std::size_t lines = 0;
-    for (double share : {0.5, 0.21, 0.19, 0.22, 0.19})
-        lines += log.linesFor(withCharge(share), 1).size();
-    QCOMPARE(lines, std::size_t{1});
-    lines += log.linesFor(withCharge(0.3), 1).size();
-    lines += log.linesFor(withCharge(0.15), 1).size();
-    QCOMPARE(lines, std::size_t{2});
 }
 
 void ShiftLogTest::theNextStepLeadsFromClosedReadersToLocatedAgvs()
