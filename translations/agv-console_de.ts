@@ -751,6 +751,18 @@
         <source>You know of the alarms chosen in the list; with none chosen, of all that are new</source>
         <translation>Sie kennen die in der Liste gewählten Alarme; ist keiner gewählt, alle neuen</translation>
     </message>
+    <message>
+        <source>Start of shift</source>
+        <translation>Schichtbeginn</translation>
+    </message>
+    <message>
+        <source>&amp;Start of shift: check everything</source>
+        <translation>&amp;Schichtbeginn: alles prüfen</translation>
+    </message>
+    <message>
+        <source>Look at plant file, links, batteries, floor tags, anchors, sleeptimes and disk; moves nothing</source>
+        <translation>Anlagendatei, Verbindungen, Batterien, Bodentags, Anker, Sleeptimes und Platte ansehen; bewegt nichts</translation>
+    </message>
 </context>
 <context>
     <name>ResultCard</name>
@@ -769,6 +781,53 @@
     <message>
         <source>Undo</source>
         <translation>Rückgängig</translation>
+    </message>
+</context>
+<context>
+    <name>ShiftPanel</name>
+    <message>
+        <source>Check &amp;everything</source>
+        <translation>&amp;Alles prüfen</translation>
+    </message>
+    <message>
+        <source>Look at plant file, links, batteries, floor tags, anchors, sleeptimes and disk; takes a few seconds and moves nothing</source>
+        <translation>Anlagendatei, Verbindungen, Batterien, Bodentags, Anker, Sleeptimes und Platte ansehen; dauert ein paar Sekunden und bewegt nichts</translation>
+    </message>
+    <message>
+        <source>Show a&amp;ll</source>
+        <translation>A&amp;lle zeigen</translation>
+    </message>
+    <message>
+        <source>List the checks that passed, too</source>
+        <translation>Auch die bestandenen Prüfungen auflisten</translation>
+    </message>
+    <message>
+        <source>Results of the checks</source>
+        <translation>Ergebnisse der Prüfungen</translation>
+    </message>
+    <message>
+        <source>Calibrate one after the &amp;other</source>
+        <translation>&amp;Nacheinander kalibrieren</translation>
+    </message>
+    <message>
+        <source>Every AGV that can turns once on the spot, one after the other: keep 500 mm around each of them clear</source>
+        <translation>Jedes AGV, das kann, dreht sich einmal auf der Stelle, eins nach dem anderen: Halten Sie um jedes 500 mm frei</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation>A&amp;nhalten</translation>
+    </message>
+    <message>
+        <source>Stop the turn that runs and start no other one</source>
+        <translation>Die laufende Drehung abbrechen und keine weitere beginnen</translation>
+    </message>
+    <message>
+        <source>Calibrations</source>
+        <translation>Kalibrierungen</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
     </message>
 </context>
 <context>
@@ -1770,6 +1829,89 @@ x %3, y %4, Höhe %5</translation>
     <message>
         <source>Wheel speed of its turns changed from %1 to %2</source>
         <translation>Radgeschwindigkeit seiner Drehungen von %1 auf %2 geändert</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::ShiftPanel</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Start of shift: all %1 checks passed</source>
+        <translation>Schichtbeginn: alle %1 Prüfungen bestanden</translation>
+    </message>
+    <message>
+        <source>Start of shift: %1 of %2 checks failed: %3</source>
+        <translation>Schichtbeginn: %1 von %2 Prüfungen nicht bestanden: %3</translation>
+    </message>
+    <message>
+        <source>Before the shift: press the button above. Nothing moves.</source>
+        <translation>Vor der Schicht: Drücken Sie den Knopf oben. Nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation>Prüft …</translation>
+    </message>
+    <message>
+        <source>All %1 checks passed</source>
+        <translation>Alle %1 Prüfungen bestanden</translation>
+    </message>
+    <message>
+        <source>%1 of %2 checks failed</source>
+        <translation>%1 von %2 Prüfungen nicht bestanden</translation>
+    </message>
+    <message>
+        <source>Ready: all AGVs (%1) were located in %2.</source>
+        <translation>Bereit: Alle AGVs (%1) wurden in %2 geortet.</translation>
+    </message>
+    <message>
+        <source>Located in %2: AGV %1. The others could not be calibrated.</source>
+        <translation>In %2 geortet: AGV %1. Die anderen konnten nicht kalibriert werden.</translation>
+    </message>
+    <message>
+        <source>Not ready: no AGV was located.</source>
+        <translation>Nicht bereit: Kein AGV wurde geortet.</translation>
+    </message>
+    <message>
+        <source>Not ready: located was only AGV %1.</source>
+        <translation>Nicht bereit: Geortet wurde nur AGV %1.</translation>
+    </message>
+    <message>
+        <source>Start of shift: %1</source>
+        <translation>Schichtbeginn: %1</translation>
+    </message>
+    <message>
+        <source>waits</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation>nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>turns …</source>
+        <translation>dreht …</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>did not start; the event log says why</source>
+        <translation>begann nicht; die Ereignisse sagen warum</translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation>AGV %1</translation>
+    </message>
+    <message>
+        <source>Calibrate one after the &amp;other</source>
+        <translation>&amp;Nacheinander kalibrieren</translation>
+    </message>
+    <message>
+        <source>Calibrate AGV %1 one after the &amp;other</source>
+        <translation>AGV %1 &amp;nacheinander kalibrieren</translation>
     </message>
 </context>
 <context>
@@ -3134,6 +3276,185 @@ x %3, y %4, Höhe %5</translation>
     <message>
         <source>Now (cm)</source>
         <translation>Bisher (cm)</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::ShiftChecks</name>
+    <message>
+        <source>Plant file</source>
+        <translation>Anlagendatei</translation>
+    </message>
+    <message>
+        <source>It holds no floor tags</source>
+        <translation>Sie enthält keine Bodentags</translation>
+    </message>
+    <message>
+        <source>Add them to the plant file and start again.</source>
+        <translation>Tragen Sie sie in die Anlagendatei ein und starten Sie neu.</translation>
+    </message>
+    <message>
+        <source>It names no AGV</source>
+        <translation>Sie nennt kein AGV</translation>
+    </message>
+    <message>
+        <source>Add one to the plant file and start again.</source>
+        <translation>Tragen Sie eines in die Anlagendatei ein und starten Sie neu.</translation>
+    </message>
+    <message>
+        <source>%1: %2 floor tags, %3 AGVs</source>
+        <translation>%1: %2 Bodentags, %3 AGVs</translation>
+    </message>
+    <message>
+        <source>Port for robots</source>
+        <translation>Port für Roboter</translation>
+    </message>
+    <message>
+        <source>End the other program that uses the port, or change the port in the plant file.</source>
+        <translation>Beenden Sie das andere Programm, das den Port benutzt, oder ändern Sie den Port in der Anlagendatei.</translation>
+    </message>
+    <message>
+        <source>AGV %1: robot</source>
+        <translation>AGV %1: Roboter</translation>
+    </message>
+    <message>
+        <source>Switch the AGV on; it connects by itself.</source>
+        <translation>Schalten Sie das AGV ein; es verbindet sich von selbst.</translation>
+    </message>
+    <message>
+        <source>It reports an error</source>
+        <translation>Er meldet einen Fehler</translation>
+    </message>
+    <message>
+        <source>Look at its display; switch it off and on again.</source>
+        <translation>Sehen Sie auf seine Anzeige; schalten Sie es aus und wieder ein.</translation>
+    </message>
+    <message>
+        <source>AGV %1: battery</source>
+        <translation>AGV %1: Batterie</translation>
+    </message>
+    <message>
+        <source>It has not reported its charge</source>
+        <translation>Ihre Ladung wurde noch nicht gemeldet</translation>
+    </message>
+    <message>
+        <source>Wait until the robot is connected.</source>
+        <translation>Warten Sie, bis der Roboter verbunden ist.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Charge it; a shift takes %1 or more.</source>
+        <translation>Laden Sie sie; eine Schicht braucht %1 oder mehr.</translation>
+    </message>
+    <message>
+        <source>AGV %1: RFID reader</source>
+        <translation>AGV %1: RFID-Leser</translation>
+    </message>
+    <message>
+        <source>It is closed</source>
+        <translation>Er ist geschlossen</translation>
+    </message>
+    <message>
+        <source>Press Open RFID.</source>
+        <translation>Drücken Sie „RFID öffnen“.</translation>
+    </message>
+    <message>
+        <source>Push the AGV a little, so that its antenna is over a floor tag.</source>
+        <translation>Schieben Sie das AGV ein wenig, sodass seine Antenne über einem Bodentag ist.</translation>
+    </message>
+    <message>
+        <source>Has the WeMos bridge power and Wi-Fi? It is tried again by itself.</source>
+        <translation>Hat die WeMos-Brücke Strom und WLAN? Es wird von selbst wieder versucht.</translation>
+    </message>
+    <message>
+        <source>Nothing was read for %1</source>
+        <translation>Seit %1 wurde nichts gelesen</translation>
+    </message>
+    <message>
+        <source>%1 reads</source>
+        <translation>%1 Lesungen</translation>
+    </message>
+    <message>
+        <source>AGV %1: floor tags</source>
+        <translation>AGV %1: Bodentags</translation>
+    </message>
+    <message>
+        <source>It reads none</source>
+        <translation>Es liest keine</translation>
+    </message>
+    <message>
+        <source>It reads tag %1, which the plant file does not name</source>
+        <translation>Es liest den Tag %1, den die Anlagendatei nicht nennt</translation>
+    </message>
+    <message>
+        <source>Is this the plant file of this plant? Else add the tag to it.</source>
+        <translation>Ist das die Anlagendatei dieser Anlage? Sonst tragen Sie den Tag ein.</translation>
+    </message>
+    <message>
+        <source>What it reads is in the plant file</source>
+        <translation>Was es liest, steht in der Anlagendatei</translation>
+    </message>
+    <message>
+        <source>AGV %1: sleeptime</source>
+        <translation>AGV %1: Sleeptime</translation>
+    </message>
+    <message>
+        <source>%1 for wheels at %2</source>
+        <translation>%1 für Räder mit %2</translation>
+    </message>
+    <message>
+        <source>For its track about %1 is expected: correct the sleeptime, then calibrate.</source>
+        <translation>Für seine Spurweite werden etwa %1 erwartet: Berichtigen Sie die Sleeptime, dann kalibrieren Sie.</translation>
+    </message>
+    <message>
+        <source>UWB unit</source>
+        <translation>UWB-Einheit</translation>
+    </message>
+    <message>
+        <source>There is none</source>
+        <translation>Es gibt keine</translation>
+    </message>
+    <message>
+        <source>Plug the unit in and choose its serial port in the menu UWB.</source>
+        <translation>Stecken Sie die Einheit ein und wählen Sie im Menü UWB ihren seriellen Port.</translation>
+    </message>
+    <message>
+        <source>UWB anchors</source>
+        <translation>UWB-Anker</translation>
+    </message>
+    <message>
+        <source>Not heard: %1</source>
+        <translation>Nicht gehört: %1</translation>
+    </message>
+    <message>
+        <source>Have they power, and is a tag switched on?</source>
+        <translation>Haben sie Strom, und ist ein Tag eingeschaltet?</translation>
+    </message>
+    <message>
+        <source>Not where the list says: %1</source>
+        <translation>Nicht, wo die Liste sagt: %1</translation>
+    </message>
+    <message>
+        <source>Put them back, or enter their new places in the list of anchors.</source>
+        <translation>Stellen Sie sie zurück oder tragen Sie ihre neuen Orte in die Liste der Anker ein.</translation>
+    </message>
+    <message>
+        <source>All %1 are heard</source>
+        <translation>Alle %1 werden gehört</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation>Platte</translation>
+    </message>
+    <message>
+        <source>%1 free</source>
+        <translation>%1 frei</translation>
+    </message>
+    <message>
+        <source>Make room: %1 or more.</source>
+        <translation>Schaffen Sie Platz: %1 oder mehr.</translation>
     </message>
 </context>
 <context>

@@ -751,6 +751,18 @@
         <source>You know of the alarms chosen in the list; with none chosen, of all that are new</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Start of shift</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Start of shift: check everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at plant file, links, batteries, floor tags, anchors, sleeptimes and disk; moves nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ResultCard</name>
@@ -768,6 +780,53 @@
     </message>
     <message>
         <source>Undo</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ShiftPanel</name>
+    <message>
+        <source>Check &amp;everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at plant file, links, batteries, floor tags, anchors, sleeptimes and disk; takes a few seconds and moves nothing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show a&amp;ll</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>List the checks that passed, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Results of the checks</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate one after the &amp;other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every AGV that can turns once on the spot, one after the other: keep 500 mm around each of them clear</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop the turn that runs and start no other one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrations</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Verdict</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1763,6 +1822,89 @@ x %3, y %4, height %5</source>
     </message>
     <message>
         <source>Wheel speed of its turns changed from %1 to %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::ShiftPanel</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start of shift: all %1 checks passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start of shift: %1 of %2 checks failed: %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Before the shift: press the button above. Nothing moves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Checking …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All %1 checks passed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 checks failed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready: all AGVs (%1) were located in %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Located in %2: AGV %1. The others could not be calibrated.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not ready: no AGV was located.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not ready: located was only AGV %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Start of shift: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>waits</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>turns …</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>did not start; the event log says why</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate one after the &amp;other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Calibrate AGV %1 one after the &amp;other</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3127,6 +3269,185 @@ x %3, y %4, height %5</source>
     </message>
     <message>
         <source>Now (cm)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::ShiftChecks</name>
+    <message>
+        <source>Plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It holds no floor tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add them to the plant file and start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It names no AGV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add one to the plant file and start again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 floor tags, %3 AGVs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Port for robots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>End the other program that uses the port, or change the port in the plant file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1: robot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Switch the AGV on; it connects by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It reports an error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at its display; switch it off and on again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1: battery</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It has not reported its charge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wait until the robot is connected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Charge it; a shift takes %1 or more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1: RFID reader</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is closed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Press Open RFID.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Push the AGV a little, so that its antenna is over a floor tag.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Has the WeMos bridge power and Wi-Fi? It is tried again by itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing was read for %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 reads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1: floor tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It reads none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It reads tag %1, which the plant file does not name</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Is this the plant file of this plant? Else add the tag to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What it reads is in the plant file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1: sleeptime</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 for wheels at %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For its track about %1 is expected: correct the sleeptime, then calibrate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB unit</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is none</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plug the unit in and choose its serial port in the menu UWB.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB anchors</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not heard: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Have they power, and is a tag switched on?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not where the list says: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Put them back, or enter their new places in the list of anchors.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All %1 are heard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 free</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Make room: %1 or more.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -16,6 +16,8 @@
 #include <QHBoxLayout>
 #include <QMessageBox>
 #include <QSettings>
+#include <QStandardPaths>
+#include <QStorageInfo>
 
 #include <utility>
 
@@ -25,7 +27,7 @@ using model::Words;
 
 namespace {
 
-constexpr int layoutVersion = 3; ///< raised when docks or tool bars change their names
+constexpr int layoutVersion = 4; ///< raised when docks or tool bars change their names
 
 } // namespace
 
@@ -39,6 +41,7 @@ void MainWindow::Private::build(const PlantLayout& described)
     ui.nextStepLabel->hide();
     ui.map->setPlant(plant);
     ui.calibration->setPlant(plant);
+    ui.shift->setPlant(plant);
     uwb = std::make_unique<UwbScreens>(ui, q);
     uwb->setPlant(plant);
     alarms = new AlarmScreen(ui, q);
@@ -140,7 +143,31 @@ void MainWindow::Private::connectActions()
     connect(ui.aboutAction, &QAction::triggered, q, [this] { showAbout(); });
     ui.initialiseAction->setEnabled(false);
     ui.abortAction->setEnabled(false);
+    connectShift();
     connectSimulationMenu();
+}
+
+void MainWindow::Private::connectShift()
+{
+    ui.shift->setFactsSource([] {
+        const QString folder = QStandardPaths::writableLocation(QStandardPaths::HomeLocation);
+        return model::ShiftFacts{QStorageInfo(folder).bytesAvailable()};
+    });
+    connect(ui.shift, &ShiftPanel::turnWanted, q, [this](int robot) {
+        ui.calibration->setRobot(robot);
+        ui.calibration->initialise();
+    });
+    connect(ui.shift, &ShiftPanel::abortWanted, q, &MainWindow::abortTurnRequested);
+    connect(q, &MainWindow::stopAllRequested, ui.shift, &ShiftPanel::stop);
+    connect(ui.shift, &ShiftPanel::verdictReached, q, [this](bool good, const QString& sentence) {
+        q->addEvent({QDateTime::currentMSecsSinceEpoch(), good ? EventLevel::Info : EventLevel::Warning,
+                     "Console", sentence.toStdString()});
+    });
+    connect(ui.checkShiftAction, &QAction::triggered, q, [this] {
+        ui.shiftDock->show();
+        ui.shiftDock->raise();
+        ui.shift->check();
+    });
 }
 
 void MainWindow::Private::connectSimulationMenu()
@@ -189,6 +216,7 @@ void MainWindow::Private::applyTheme()
     ui.map->setTheme(theme);
     ui.links->setTheme(theme);
     ui.calibration->setTheme(theme);
+    ui.shift->setTheme(theme);
     ui.events->setTheme(theme);
     uwb->setTheme(theme);
     alarms->setTheme(theme);
@@ -243,6 +271,7 @@ void MainWindow::Private::focusNextPanel()
     const std::pair<QWidget*, QWidget*> panels[] = {{ui.map, ui.map},
                                                     {ui.links, field(ui.links, "linkTable")},
                                                     {ui.calibration, field(ui.calibration, "robotCombo")},
+                                                    {ui.shift, field(ui.shift, "checkButton")},
                                                     {ui.events, field(ui.events, "table")},
                                                     {ui.alarms, field(ui.alarms, "alarmTable")},
                                                     {ui.anchors, ui.anchors->table()},
@@ -266,7 +295,8 @@ void MainWindow::Private::focusNextPanel()
 
 QList<QDockWidget*> MainWindow::Private::docks() const
 {
-    return {ui.linksDock, ui.calibrationDock, ui.eventsDock, ui.alarmsDock, ui.anchorsDock, ui.tagsDock};
+    return {ui.linksDock,  ui.shiftDock,   ui.calibrationDock, ui.eventsDock,
+            ui.alarmsDock, ui.anchorsDock, ui.tagsDock};
 }
 
 void MainWindow::Private::resetLayout()
@@ -277,6 +307,8 @@ void MainWindow::Private::resetLayout()
     }
     q->addDockWidget(Qt::LeftDockWidgetArea, ui.linksDock);
     q->addDockWidget(Qt::RightDockWidgetArea, ui.calibrationDock);
+    q->tabifyDockWidget(ui.calibrationDock, ui.shiftDock);
+    ui.calibrationDock->raise();
     q->addDockWidget(Qt::BottomDockWidgetArea, ui.eventsDock);
     q->tabifyDockWidget(ui.eventsDock, ui.alarmsDock);
     q->tabifyDockWidget(ui.alarmsDock, ui.anchorsDock);

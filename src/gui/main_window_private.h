@@ -22,6 +22,7 @@ public:
 
     void build(const PlantLayout& described);
     void connectActions();
+    void connectShift();
     void connectSimulationMenu();
     void retranslate();
 
