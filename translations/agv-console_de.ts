@@ -1913,6 +1913,10 @@ x %3, y %4, Höhe %5</translation>
         <source>Calibrate AGV %1 one after the &amp;other</source>
         <translation>AGV %1 &amp;nacheinander kalibrieren</translation>
     </message>
+    <message>
+        <source>All AGVs (%1) were located in %2, but %3 of the checks failed.</source>
+        <translation>Alle AGVs (%1) wurden in %2 geortet, aber %3 der Prüfungen sind nicht bestanden.</translation>
+    </message>
 </context>
 <context>
     <name>agv::gui::ShortcutDialog</name>

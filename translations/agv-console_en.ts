@@ -1907,6 +1907,10 @@ x %3, y %4, height %5</source>
         <source>Calibrate AGV %1 one after the &amp;other</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>All AGVs (%1) were located in %2, but %3 of the checks failed.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>agv::gui::ShortcutDialog</name>

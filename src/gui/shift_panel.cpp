@@ -198,13 +198,17 @@ void ShiftPanel::endCalibration()
     const bool good = m_calibration.foundAll();
     const bool all = m_calibration.entries().size() == m_snapshot.agvs.size();
     const QString found = numbers(robotsIn(Outcome::Found));
+    const auto failures = std::ranges::count(m_checks, false, &ShiftCheck::passed);
     const QString verdict =
-        good && all       ? tr("Ready: all AGVs (%1) were located in %2.").arg(found, time)
+        good && all && failures > 0 ? tr("All AGVs (%1) were located in %2, but %3 of the checks failed.")
+                                          .arg(found, time)
+                                          .arg(failures)
+        : good && all     ? tr("Ready: all AGVs (%1) were located in %2.").arg(found, time)
         : good            ? tr("Located in %2: AGV %1. The others could not be calibrated.").arg(found, time)
         : found.isEmpty() ? tr("Not ready: no AGV was located.")
                           : tr("Not ready: located was only AGV %1.").arg(found);
     m_ui->shiftVerdictLabel->setText(QStringLiteral("<b>%1</b>").arg(verdict.toHtmlEscaped()));
-    emit verdictReached(good && all, tr("Start of shift: %1").arg(verdict));
+    emit verdictReached(good && all && failures == 0, tr("Start of shift: %1").arg(verdict));
 }
 
 void ShiftPanel::showTurns()

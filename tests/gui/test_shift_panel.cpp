@@ -20,6 +20,7 @@ private slots:
     void checksThatPassFoldToOneLine();
     void aCheckThatPassedOnceHasPassed();
     void theAgvsTurnOneAfterTheOtherAndTheVerdictGoesIntoTheLog();
+    void aCheckThatFailedStandsInTheVerdict();
     void stopAllEndsTheSequence();
     void nothingIsCalibratedWhileNoAgvCan();
 
@@ -133,6 +134,22 @@ void ShiftPanelTest::theAgvsTurnOneAfterTheOtherAndTheVerdictGoesIntoTheLog()
     QVERIFY(text("turnsLabel").contains(QStringLiteral("Position found")));
     QVERIFY(log().contains(
         QStringLiteral("Start of shift: Ready: all AGVs (1, 2, 3, 4) were located in 1\u00a0min 2")));
+}
+
+void ShiftPanelTest::aCheckThatFailedStandsInTheVerdict()
+{
+    makeReady();
+    m_snapshot.agvs[1].battery->charge_Ah = 0.3;
+    show();
+    find<QAction>("checkShiftAction")->trigger();
+    pass(3.1);
+    click("calibrateButton");
+    for (int robot = 1; robot <= 4; ++robot) {
+        playTurn(robot);
+        pass(0.1);
+    }
+    QVERIFY2(text("shiftVerdictLabel").contains(QStringLiteral("but 1 of the checks failed")),
+             qPrintable(text("shiftVerdictLabel")));
 }
 
 void ShiftPanelTest::stopAllEndsTheSequence()

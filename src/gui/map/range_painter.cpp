@@ -20,8 +20,11 @@ public:
         const QString state = range.rejected ? tr("obstructed") : tr("clear");
         if (!range.residual_m)
             return state;
-        const QString sign = *range.residual_m < 0.0 ? QStringLiteral("−") : QStringLiteral("+");
-        return tr("%1, %2").arg(state, sign + model::Words::millimetres(std::abs(*range.residual_m)));
+        const double whole_mm = std::round(*range.residual_m * 1e3);
+        const QString sign = whole_mm < 0.0   ? QStringLiteral("−")
+                             : whole_mm > 0.0 ? QStringLiteral("+")
+                                              : QString();
+        return tr("%1, %2").arg(state, sign + model::Words::millimetres(std::abs(whole_mm) * 1e-3));
     }
 };
 
