@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "link/serial_link.h"
 
+#include <QSocketNotifier>
 #include <QTimer>
 
 #include <utility>
+
+#include <poll.h>
+#include <sys/ioctl.h>
 
 namespace agv::link {
 namespace {
@@ -43,6 +47,8 @@ void SerialLink::close()
         return;
     // Nothing of an old attempt may reach the next one.
     port->disconnect(this);
+    if (QSocketNotifier* watch = std::exchange(m_hangUp, nullptr))
+        watch->setEnabled(false); // it may be the one that is telling
     if (port->isOpen()) {
         port->clear(QSerialPort::Output); // closing must not wait for a unit that does not read
         port->close();
@@ -82,7 +88,29 @@ void SerialLink::attempt()
     m_port->clear(QSerialPort::Input); // from before it was opened
     connect(m_port, &QSerialPort::readyRead, this, &SerialLink::onReadyRead);
     connect(m_port, &QSerialPort::errorOccurred, this, &SerialLink::onError);
+    watchForHangUp();
     emit connected();
+}
+
+// Qt 6.4 reports a device that is gone without an end, Qt 6.8 never while it spins on the end of the file:
+// the hang-up that poll() tells is asked for here, whatever Qt makes of it. The dispatcher lets a notifier
+// for exceptions fire on it, and not on data.
+void SerialLink::watchForHangUp()
+{
+    m_hangUp = new QSocketNotifier(m_port->handle(), QSocketNotifier::Exception, m_port);
+    connect(m_hangUp, &QSocketNotifier::activated, this, &SerialLink::onException);
+}
+
+void SerialLink::onException()
+{
+    pollfd asked{m_port->handle(), POLLIN, 0};
+    if (::poll(&asked, 1, 0) < 0 || !(asked.revents & (POLLHUP | POLLERR)))
+        return;
+    // What the device said last is still to be read by the port; the hang-up stays and is told again.
+    int unread = 0;
+    if (::ioctl(asked.fd, FIONREAD, &unread) == 0 && unread > 0)
+        return;
+    lose(serialFaultOf(QSerialPort::ResourceError, true, m_entry->path), {});
 }
 
 void SerialLink::onReadyRead()
@@ -95,9 +123,12 @@ void SerialLink::onError(QSerialPort::SerialPortError error)
 {
     if (isHarmless(error))
         return;
+    lose(serialFaultOf(error, true, m_entry->path), m_port->errorString());
+}
+
+void SerialLink::lose(SerialFault fault, const QString& systemText)
+{
     const QSerialPort* const failing = m_port;
-    const SerialFault fault = serialFaultOf(error, true, m_entry->path);
-    const QString systemText = m_port->errorString();
     // The last bytes before the end are as good as any.
     if (m_port->bytesAvailable() > 0)
         onReadyRead();

@@ -11,6 +11,8 @@
 
 #include <optional>
 
+class QSocketNotifier;
+
 namespace agv::link {
 
 /// A serial port (115200 8N1), one attempt at a time. It reports, it does not decide: when to try again is
@@ -51,12 +53,17 @@ private:
     void attempt();
     void onReadyRead();
     void onError(QSerialPort::SerialPortError error);
+    void watchForHangUp();
+    void onException();
+    /// Takes the last bytes, then ends the attempt, unless whoever took them has ended it.
+    void lose(SerialFault fault, const QString& systemText);
     void fail(SerialFault fault, const QString& port, const QString& systemText);
 
     SerialPortLister m_ports;
     SerialPortChoice m_choice;
     std::optional<SerialPortEntry> m_entry;
-    QSerialPort* m_port = nullptr; ///< owned (QObject child); a new one for each attempt
+    QSerialPort* m_port = nullptr;       ///< owned (QObject child); a new one for each attempt
+    QSocketNotifier* m_hangUp = nullptr; ///< owned by m_port
 };
 
 } // namespace agv::link
