@@ -27,7 +27,7 @@ using model::Words;
 
 namespace {
 
-constexpr int layoutVersion = 4; ///< raised when docks or tool bars change their names
+constexpr int layoutVersion = 5; ///< raised when docks or tool bars change their names
 
 } // namespace
 
@@ -125,10 +125,12 @@ void MainWindow::Private::connectActions()
     connect(map, &MapWidget::pointerMoved, q, [this](double x_m, double y_m) { showPointer(x_m, y_m); });
     connect(map, &MapWidget::pointerLeft, pointerLabel, &QLabel::clear);
     auto* mapControls = new MapControls(ui, q);
-    connect(mapControls, &MapControls::pictureSaved, q, [this](bool saved, const QString& sentence) {
+    const auto logSaved = [this](bool saved, const QString& sentence) {
         q->addEvent({QDateTime::currentMSecsSinceEpoch(), saved ? EventLevel::Info : EventLevel::Error,
                      "Console", sentence.toStdString()});
-    });
+    };
+    connect(mapControls, &MapControls::pictureSaved, q, logSaved);
+    connect(ui.plots, &PlotPanel::exported, q, logSaved);
 
     connect(ui.nextPanelAction, &QAction::triggered, q, [this] { focusNextPanel(); });
     connect(ui.resetLayoutAction, &QAction::triggered, q, [this] { resetLayout(); });
@@ -217,6 +219,7 @@ void MainWindow::Private::applyTheme()
     ui.links->setTheme(theme);
     ui.calibration->setTheme(theme);
     ui.shift->setTheme(theme);
+    ui.plots->setTheme(theme);
     ui.events->setTheme(theme);
     uwb->setTheme(theme);
     alarms->setTheme(theme);
@@ -274,6 +277,7 @@ void MainWindow::Private::focusNextPanel()
                                                     {ui.shift, field(ui.shift, "checkButton")},
                                                     {ui.events, field(ui.events, "table")},
                                                     {ui.alarms, field(ui.alarms, "alarmTable")},
+                                                    {ui.plots, field(ui.plots, "groupCombo")},
                                                     {ui.anchors, ui.anchors->table()},
                                                     {ui.uwbTags, ui.uwbTags->table()}};
     const QWidget* focus = QApplication::focusWidget();
@@ -295,8 +299,8 @@ void MainWindow::Private::focusNextPanel()
 
 QList<QDockWidget*> MainWindow::Private::docks() const
 {
-    return {ui.linksDock,  ui.shiftDock,   ui.calibrationDock, ui.eventsDock,
-            ui.alarmsDock, ui.anchorsDock, ui.tagsDock};
+    return {ui.linksDock,  ui.shiftDock, ui.calibrationDock, ui.eventsDock,
+            ui.alarmsDock, ui.plotsDock, ui.anchorsDock,     ui.tagsDock};
 }
 
 void MainWindow::Private::resetLayout()
@@ -308,6 +312,7 @@ void MainWindow::Private::resetLayout()
     q->addDockWidget(Qt::LeftDockWidgetArea, ui.linksDock);
     q->addDockWidget(Qt::RightDockWidgetArea, ui.calibrationDock);
     q->tabifyDockWidget(ui.calibrationDock, ui.shiftDock);
+    q->tabifyDockWidget(ui.shiftDock, ui.plotsDock);
     ui.calibrationDock->raise();
     q->addDockWidget(Qt::BottomDockWidgetArea, ui.eventsDock);
     q->tabifyDockWidget(ui.eventsDock, ui.alarmsDock);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "gui/plot/bar_chart.h"
 
+#include "gui/plot/axis_style.h"
+
 #include <qcustomplot.h>
 
 #include <algorithm>
@@ -12,19 +14,6 @@ class BarChart::Private {
 public:
     QCustomPlot* plot = nullptr;
     QSharedPointer<QCPAxisTickerText> ticker{new QCPAxisTickerText};
-
-    void style(QCPAxis* axis, const Theme& theme) const
-    {
-        axis->setBasePen(QPen(theme.strongBorder));
-        axis->setTickPen(QPen(theme.strongBorder));
-        axis->setSubTickPen(Qt::NoPen);
-        axis->setTickLabelColor(theme.mutedText);
-        axis->setLabelColor(theme.mutedText);
-        axis->grid()->setPen(QPen(theme.border, 1.0));
-        axis->grid()->setZeroLinePen(Qt::NoPen);
-        axis->setTickLabelFont(plot->font());
-        axis->setLabelFont(plot->font());
-    }
 };
 
 BarChart::BarChart(QWidget* parent) : QWidget(parent), d(std::make_unique<Private>())
@@ -59,8 +48,8 @@ void BarChart::setTheme(const Theme& theme)
     d->plot->legend->setBrush(theme.panel);
     d->plot->legend->setTextColor(theme.mutedText);
     d->plot->legend->setFont(font());
-    d->style(d->plot->xAxis, theme);
-    d->style(d->plot->yAxis, theme);
+    styleAxis(*d->plot->xAxis, theme, font());
+    styleAxis(*d->plot->yAxis, theme, font());
     d->plot->replot(QCustomPlot::rpQueuedReplot);
 }
 

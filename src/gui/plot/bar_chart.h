@@ -12,8 +12,8 @@
 
 namespace agv::gui {
 
-/// Stacked bars over numbered categories. The only class that knows QCustomPlot (its header costs seconds of
-/// compile time and needs Qt keywords, so it stays behind this wall).
+/// Stacked bars over numbered categories. The sources of this folder alone know QCustomPlot (its header costs
+/// seconds of compile time and needs Qt keywords, so it stays behind this wall).
 class BarChart : public QWidget {
     Q_OBJECT
 public:
