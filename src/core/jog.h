@@ -36,6 +36,7 @@ enum class JogReason {
     StopAll,     ///< until the operator releases it
     StoppedHere, ///< the Stop of this AGV
     OtherSource, ///< something else drives the AGV
+    HandHolds,   ///< it is driven by hand, so it is not told to dock
     BadSpeed,    ///< no number, or nothing to drive
 };
 

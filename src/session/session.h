@@ -18,6 +18,8 @@
 
 namespace agv::session {
 
+class JogDesk;
+
 struct SessionOptions {
     bool simulated = false; ///< shown on every screen
     std::uint64_t solverSeed = 1;
@@ -34,6 +36,9 @@ class Session : public QObject {
 public:
     Session(PlantLayout plant, SessionOptions options, QObject* parent = nullptr);
     ~Session() override;
+
+    /// Driving by hand.
+    JogDesk* jogDesk() const;
 
 public slots:
     /// Listens for robots and telemetry; emits listening() or an Error event that says why not. A port that
