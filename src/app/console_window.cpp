@@ -11,6 +11,7 @@
 #include "gui/application_setup.h"
 #include "gui/main_window.h"
 #include "gui/plant_file_dialog.h"
+#include "session/jog_desk.h"
 
 #include <QApplication>
 #include <QFile>
@@ -72,6 +73,19 @@ EventEntry consoleEvent(EventLevel level, const std::string& text)
     return {now.count(), level, "Console", text};
 }
 
+/// What the operator's hand holds. The words of a press keep their order, because one queue carries them.
+void wireJog(gui::MainWindow& window, session::JogDesk& desk)
+{
+    using gui::MainWindow;
+    using session::JogDesk;
+    QObject::connect(&window, &MainWindow::jogPressed, &desk, &JogDesk::press);
+    QObject::connect(&window, &MainWindow::jogHeld, &desk, &JogDesk::hold);
+    QObject::connect(&window, &MainWindow::jogReleased, &desk, &JogDesk::release);
+    QObject::connect(&window, &MainWindow::stopRequested, &desk, &JogDesk::stop);
+    QObject::connect(&window, &MainWindow::dockRequested, &desk, &JogDesk::order);
+    QObject::connect(&window, &MainWindow::stopAllReleased, &desk, &JogDesk::releaseStopAll);
+}
+
 /// Requests go down to the session, snapshots and events come up; all queued, by value.
 void wire(gui::MainWindow& window, session::Session& session)
 {
@@ -87,6 +101,7 @@ void wire(gui::MainWindow& window, session::Session& session)
     QObject::connect(&window, &MainWindow::turnSpeedChanged, &session, &Session::setTurnSpeed);
     QObject::connect(&window, &MainWindow::stopAllRequested, &session,
                      [&session] { session.stopAll("Stop all was pressed"); });
+    wireJog(window, *session.jogDesk());
     QObject::connect(&session, &Session::snapshotReady, &window, &MainWindow::showSnapshot);
     QObject::connect(&session, &Session::listenFailed, &window, &MainWindow::showListenFailure);
     QObject::connect(&session, &Session::listening, &window, &MainWindow::showListening);

@@ -21,6 +21,7 @@ public:
 
     void build(const PlantLayout& described);
     void connectActions();
+    void connectJog();
     void connectSimulationMenu();
     void retranslate();
 
