@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console_window.h"
 
+#include "app/desktop_watch.h"
 #include "app/display_probe.h"
 #include "app/plant_source.h"
 #include "app/session_thread.h"
@@ -158,6 +159,10 @@ private:
             m_plant.layout, session::SessionOptions{m_arguments.plant.simulate, m_arguments.plant.seed});
         session::Session* session = m_session->session();
         wire(*m_window, *session);
+        QObject::connect(&m_desktop, &DesktopWatch::screenLocked, session->jogDesk(),
+                         [desk = session->jogDesk()] { desk->endAll(JogReason::ScreenLocked); });
+        QObject::connect(&m_desktop, &DesktopWatch::aboutToSleep, session->jogDesk(),
+                         [desk = session->jogDesk()] { desk->endAll(JogReason::Suspended); });
         m_uwbRequests = std::make_unique<UwbRequests>(*m_window, *session, m_plant.layout, fileForEdits());
         if (m_simulated) {
             QObject::connect(m_window.get(), &gui::MainWindow::simulationCommandRequested, m_simulated.get(),
@@ -220,6 +225,7 @@ private:
     WindowArguments m_arguments;
     LoadedPlant m_plant;
     SignalWatch m_signals;
+    DesktopWatch m_desktop;
     std::unique_ptr<SimulatedPlant> m_simulated;
     std::unique_ptr<gui::MainWindow> m_window;
     std::unique_ptr<SessionThread> m_session;

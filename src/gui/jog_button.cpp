@@ -69,10 +69,15 @@ void JogButton::setLit(bool lit)
         update();
 }
 
+void JogButton::forget()
+{
+    if (std::exchange(m_isGripped, false))
+        update();
+}
+
 void JogButton::grip()
 {
-    if (std::exchange(m_isGripped, true))
-        return;
+    m_isGripped = true;
     update();
     emit gripped();
 }
@@ -106,10 +111,6 @@ bool JogButton::event(QEvent* event)
     case QEvent::TouchEnd:
     case QEvent::TouchCancel:
         return onTouch(event);
-    case QEvent::Hide:
-    case QEvent::EnabledChange:
-        drop();
-        break;
     default:
         break;
     }

@@ -19,6 +19,8 @@ public:
     void setTheme(const Theme& theme);
     /// The way the AGV is driven now, whoever drives.
     void setLit(bool lit);
+    /// The hold is over, though mouse or finger are still down; that they lift need not be heard of.
+    void forget();
     QSize sizeHint() const override;
 
 signals:

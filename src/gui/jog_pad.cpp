@@ -108,8 +108,13 @@ void JogPad::retranslate()
         tr("Stop this AGV, whatever it does (space). Software stop, does not replace the emergency stop."));
 }
 
+QWidget* JogPad::lastField() const { return m_stop; }
+
 void JogPad::begin(JogSource source, JogDirection direction)
 {
+    // Behind another page it may keep the keyboard, but nobody sees what would drive.
+    if (visibleRegion().isEmpty())
+        return;
     m_source = source;
     light(direction);
     m_watch->start();
@@ -124,6 +129,8 @@ void JogPad::cancel(JogReason why)
     m_source.reset();
     m_keysSpent = !m_keys.isEmpty();
     light({});
+    for (JogButton* button : std::as_const(m_buttons))
+        button->forget();
     emit released(why);
 }
 

@@ -29,6 +29,7 @@ public:
 
     void setTheme(const Theme& theme);
     void retranslate();
+    QWidget* lastField() const; ///< in the order of the tabulator; the pad itself is the first
     bool isHeld() const { return m_source.has_value(); }
     /// Ends a hold; the hand has to press anew.
     void cancel(JogReason why);

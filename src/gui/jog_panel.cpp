@@ -36,6 +36,8 @@ JogPanel::JogPanel(QWidget* parent)
     m_ui->jogSpeedSlider->setRange(slowest_mm_s, static_cast<int>(mmFromMetres(mostJogSpeed_m_s)));
     m_ui->jogSpeedSlider->setValue(static_cast<int>(mmFromMetres(usualJogSpeed_m_s)));
     m_ui->latchFrame->hide();
+    setTabOrder(m_ui->jogPad, m_ui->jogPad->lastField());
+    setTabOrder(m_ui->jogPad->lastField(), m_ui->dockButton);
     connectPad();
     connectRest();
     retranslate();
@@ -216,17 +218,13 @@ void JogPanel::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
 }
 
-void JogPanel::showEvent(QShowEvent* event)
+void JogPanel::setSeen(bool seen)
 {
-    m_hold->setWatching(true);
-    QWidget::showEvent(event);
-}
-
-void JogPanel::hideEvent(QHideEvent* event)
-{
-    m_ui->jogPad->cancel(JogReason::WindowHidden);
-    m_hold->setWatching(false);
-    QWidget::hideEvent(event);
+    if (!seen) {
+        m_ui->jogPad->cancel(JogReason::WindowHidden);
+        m_ui->jogPad->clearFocus();
+    }
+    m_hold->setWatching(seen);
 }
 
 } // namespace agv::gui

@@ -37,6 +37,8 @@ public:
 public slots:
     /// Ends a hold of another AGV.
     void setRobot(int robot);
+    /// Of its dock, which does not hide when it lies behind another one.
+    void setSeen(bool seen);
 
 signals:
     void robotChosen(int robot);
@@ -49,8 +51,6 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
 
 private:
     void connectPad();

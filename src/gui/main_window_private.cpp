@@ -151,6 +151,7 @@ void MainWindow::Private::connectJog()
     connect(jog, &JogPanel::stopAllReleased, q, &MainWindow::stopAllReleased);
     connect(jog, &JogPanel::robotChosen, ui.calibration, &CalibrationPanel::setRobot);
     connect(ui.calibration, &CalibrationPanel::robotChosen, jog, &JogPanel::setRobot);
+    connect(ui.jogDock, &QDockWidget::visibilityChanged, jog, &JogPanel::setSeen);
     connect(ui.driveAction, &QAction::triggered, q, [this] {
         ui.jogDock->show();
         ui.jogDock->raise();
