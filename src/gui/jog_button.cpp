@@ -63,9 +63,15 @@ void JogButton::setTheme(const Theme& theme)
     update();
 }
 
-void JogButton::setLit(bool lit)
+void JogButton::setHeld(bool held)
 {
-    if (std::exchange(m_lit, lit) != lit)
+    if (std::exchange(m_isHeld, held) != held)
+        update();
+}
+
+void JogButton::setDriving(bool drives)
+{
+    if (std::exchange(m_drives, drives) != drives)
         update();
 }
 
@@ -142,13 +148,15 @@ void JogButton::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const bool isOn = m_isGripped || m_lit;
-    const QColor ink = !isEnabled() ? m_theme.disabledText : isOn ? m_theme.accentText : m_theme.text;
-    painter.setPen(QPen(isEnabled() ? m_theme.strongBorder : m_theme.border, 1));
-    painter.setBrush(isOn && isEnabled()           ? m_theme.accent
-                     : underMouse() && isEnabled() ? m_theme.sunken
-                                                   : m_theme.raised);
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+    const bool isHeld = isEnabled() && (m_isGripped || m_isHeld);
+    const bool isFilled = isHeld && m_drives;
+    const QColor ink = !isEnabled() ? m_theme.disabledText : isFilled ? m_theme.accentText : m_theme.text;
+    const QColor edge = isHeld ? m_theme.accent : isEnabled() ? m_theme.strongBorder : m_theme.border;
+    painter.setPen(QPen(edge, isHeld ? 2 : 1));
+    painter.setBrush(isFilled                                  ? m_theme.accent
+                     : isHeld || (isEnabled() && underMouse()) ? m_theme.sunken
+                                                               : m_theme.raised);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 6, 6);
     const Arrow arrow = arrowFor(m_direction);
     const double half = 0.42 * std::min(width(), height());
     painter.translate(QRectF(rect()).center());

@@ -17,8 +17,10 @@ public:
 
     JogDirection direction() const { return m_direction; }
     void setTheme(const Theme& theme);
-    /// The way the AGV is driven now, whoever drives.
-    void setLit(bool lit);
+    /// The hand points this way, with the mouse or with keys.
+    void setHeld(bool held);
+    /// The AGV really drives; a held arrow is filled then.
+    void setDriving(bool drives);
     /// The hold is over, though mouse or finger are still down; that they lift need not be heard of.
     void forget();
     QSize sizeHint() const override;
@@ -43,7 +45,8 @@ private:
     JogDirection m_direction;
     Theme m_theme = Theme::light();
     bool m_isGripped = false;
-    bool m_lit = false;
+    bool m_isHeld = false;
+    bool m_drives = false;
 };
 
 } // namespace agv::gui

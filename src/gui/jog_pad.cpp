@@ -93,6 +93,12 @@ void JogPad::setTheme(const Theme& theme)
     update();
 }
 
+void JogPad::setDriving(bool drives)
+{
+    for (JogButton* button : std::as_const(m_buttons))
+        button->setDriving(drives);
+}
+
 void JogPad::retranslate()
 {
     setAccessibleName(tr("Drive pad"));
@@ -116,7 +122,7 @@ void JogPad::begin(JogSource source, JogDirection direction)
     if (visibleRegion().isEmpty())
         return;
     m_source = source;
-    light(direction);
+    showHeld(direction);
     m_watch->start();
     emit pressed(source, direction);
 }
@@ -128,7 +134,7 @@ void JogPad::cancel(JogReason why)
     m_watch->stop();
     m_source.reset();
     m_keysSpent = !m_keys.isEmpty();
-    light({});
+    showHeld({});
     for (JogButton* button : std::as_const(m_buttons))
         button->forget();
     emit released(why);
@@ -192,7 +198,7 @@ void JogPad::onKeysChanged(bool isPress)
     } else if (m_source == JogSource::Keys) {
         if (direction == JogDirection{})
             return cancel(JogReason::OpposingKeys);
-        light(direction);
+        showHeld(direction);
         emit directionChanged(direction);
     } else if (m_source) {
         m_keysSpent = true;
@@ -203,10 +209,10 @@ void JogPad::onKeysChanged(bool isPress)
     }
 }
 
-void JogPad::light(JogDirection direction)
+void JogPad::showHeld(JogDirection direction)
 {
     for (JogButton* button : std::as_const(m_buttons))
-        button->setLit(m_source && button->direction() == direction);
+        button->setHeld(m_source && button->direction() == direction);
 }
 
 void JogPad::focusInEvent(QFocusEvent* event)

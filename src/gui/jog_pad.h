@@ -29,6 +29,8 @@ public:
 
     void setTheme(const Theme& theme);
     void retranslate();
+    /// The AGV really drives, by whatever the hand holds.
+    void setDriving(bool drives);
     QWidget* lastField() const; ///< in the order of the tabulator; the pad itself is the first
     bool isHeld() const { return m_source.has_value(); }
     /// Ends a hold; the hand has to press anew.
@@ -55,7 +57,7 @@ private:
     void onGrip(const JogButton& button);
     void onKeysChanged(bool isPress);
     JogDirection keyDirection() const;
-    void light(JogDirection direction);
+    void showHeld(JogDirection direction);
 
     QList<JogButton*> m_buttons;
     QPushButton* m_stop;

@@ -182,6 +182,7 @@ void JogPanel::showState()
     const AgvSnapshot* agv = current();
     const bool isLatched = agv && agv->jog.state == JogState::Latched;
     m_ui->latchFrame->setVisible(isLatched);
+    m_ui->jogPad->setDriving(agv && agv->jog.state == JogState::Driving);
     const bool isPlain = !agv || (agv->jog.note.empty() && agv->jog.obstacle.empty());
     if (!m_ownRefusal.isEmpty())
         setSentence(m_ownRefusal, true);
