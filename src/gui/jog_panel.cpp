@@ -9,7 +9,6 @@
 
 #include <QEvent>
 #include <QSignalBlocker>
-#include <QStyle>
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +36,7 @@ JogPanel::JogPanel(QWidget* parent)
     m_ui->jogSpeedSlider->setValue(static_cast<int>(mmFromMetres(usualJogSpeed_m_s)));
     m_ui->latchFrame->hide();
     setTabOrder(m_ui->jogPad, m_ui->jogPad->lastField());
-    setTabOrder(m_ui->jogPad->lastField(), m_ui->dockButton);
+    setTabOrder(m_ui->jogPad->lastField(), m_ui->releaseButton);
     connectPad();
     connectRest();
     retranslate();
@@ -192,15 +191,10 @@ void JogPanel::showState()
 
 void JogPanel::setSentence(const QString& text, bool isWarning)
 {
-    QLabel* label = m_ui->jogSentence;
-    const QString role = isWarning ? QStringLiteral("notice") : QStringLiteral("muted");
-    if (label->property("role").toString() != role) {
-        label->setProperty("role", role);
-        label->style()->unpolish(label);
-        label->style()->polish(label);
-    }
-    label->setText(text);
-    label->setVisible(!text.isEmpty());
+    m_ui->jogNotice->setText(text);
+    m_ui->jogNotice->setVisible(isWarning && !text.isEmpty());
+    m_ui->jogSentence->setText(text);
+    m_ui->jogSentence->setVisible(!isWarning && !text.isEmpty());
 }
 
 void JogPanel::retranslate()

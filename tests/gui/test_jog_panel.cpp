@@ -117,10 +117,13 @@ void JogPanelTest::stopAllShowsItsReleaseAndOnlyThen()
 
 void JogPanelTest::theSentenceSaysWhatDrivesOrWhyNothingDoes()
 {
-    const auto* label = find<QLabel>("jogSentence");
     const auto shows = [&](const JogSnapshot& jog) {
         m_window->showSnapshot(scene(jog));
-        return label->text();
+        const auto visible = [&](const char* name) {
+            const auto* label = find<QLabel>(name);
+            return label->isVisible() ? label->text() : QString();
+        };
+        return visible("jogSentence") + visible("jogNotice");
     };
     QCOMPARE(shows({}), QStringLiteral("Ready. AGV 1 drives as long as you hold an arrow."));
     QVERIFY(shows({JogState::Driving, {}, {}}).startsWith(QStringLiteral("AGV 1 drives: left wheel")));
