@@ -29,6 +29,7 @@ private slots:
     void theChoiceOfTheAgvIsTheSameOnBothPages();
     void ctrlJGivesThePadTheKeyboard();
     void tabVisitsTheFieldsInReadingOrder();
+    void noAltKeyMovesARobotFromBehindAnotherPage();
 
 private:
     static PlantSnapshot scene(const JogSnapshot& jog)
@@ -161,6 +162,13 @@ void JogPanelTest::tabVisitsTheFieldsInReadingOrder()
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
         QCOMPARE(QApplication::focusWidget()->objectName(), QString::fromLatin1(next));
     }
+}
+
+// A dock behind another one counts as visible, so the Alt keys of its buttons would work unseen.
+void JogPanelTest::noAltKeyMovesARobotFromBehindAnotherPage()
+{
+    for (const char* name : {"dockButton", "undockButton", "chargeButton", "releaseButton", "jogStopButton"})
+        QVERIFY2(find<QPushButton>(name)->shortcut().isEmpty(), name);
 }
 
 QTEST_MAIN(JogPanelTest)
