@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console_window.h"
 
+#include "app/desktop_watch.h"
 #include "app/display_probe.h"
 #include "app/plant_source.h"
 #include "app/session_thread.h"
@@ -12,6 +13,7 @@
 #include "gui/main_window.h"
 #include "gui/plant_file_dialog.h"
 #include "session/alarm_desk.h"
+#include "session/jog_desk.h"
 
 #include <QApplication>
 #include <QFile>
@@ -73,6 +75,19 @@ EventEntry consoleEvent(EventLevel level, const std::string& text)
     return {now.count(), level, "Console", text};
 }
 
+/// What the operator's hand holds. The words of a press keep their order, because one queue carries them.
+void wireJog(gui::MainWindow& window, session::JogDesk& desk)
+{
+    using gui::MainWindow;
+    using session::JogDesk;
+    QObject::connect(&window, &MainWindow::jogPressed, &desk, &JogDesk::press);
+    QObject::connect(&window, &MainWindow::jogHeld, &desk, &JogDesk::hold);
+    QObject::connect(&window, &MainWindow::jogReleased, &desk, &JogDesk::release);
+    QObject::connect(&window, &MainWindow::stopRequested, &desk, &JogDesk::stop);
+    QObject::connect(&window, &MainWindow::dockRequested, &desk, &JogDesk::order);
+    QObject::connect(&window, &MainWindow::stopAllReleased, &desk, &JogDesk::releaseStopAll);
+}
+
 /// Requests go down to the session, snapshots and events come up; all queued, by value.
 void wire(gui::MainWindow& window, session::Session& session)
 {
@@ -93,6 +108,7 @@ void wire(gui::MainWindow& window, session::Session& session)
                      &session::AlarmDesk::acknowledge);
     QObject::connect(&window, &MainWindow::shelveAlarmsRequested, &alarms, &session::AlarmDesk::shelve);
     QObject::connect(&window, &MainWindow::unshelveAlarmsRequested, &alarms, &session::AlarmDesk::unshelve);
+    wireJog(window, *session.jogDesk());
     QObject::connect(&session, &Session::snapshotReady, &window, &MainWindow::showSnapshot);
     QObject::connect(&session, &Session::listenFailed, &window, &MainWindow::showListenFailure);
     QObject::connect(&session, &Session::listening, &window, &MainWindow::showListening);
@@ -149,6 +165,10 @@ private:
             m_plant.layout, session::SessionOptions{m_arguments.plant.simulate, m_arguments.plant.seed});
         session::Session* session = m_session->session();
         wire(*m_window, *session);
+        QObject::connect(&m_desktop, &DesktopWatch::screenLocked, session->jogDesk(),
+                         [desk = session->jogDesk()] { desk->endAll(JogReason::ScreenLocked); });
+        QObject::connect(&m_desktop, &DesktopWatch::aboutToSleep, session->jogDesk(),
+                         [desk = session->jogDesk()] { desk->endAll(JogReason::Suspended); });
         m_uwbRequests = std::make_unique<UwbRequests>(*m_window, *session, m_plant.layout, fileForEdits());
         if (m_simulated) {
             QObject::connect(m_window.get(), &gui::MainWindow::simulationCommandRequested, m_simulated.get(),
@@ -211,6 +231,7 @@ private:
     WindowArguments m_arguments;
     LoadedPlant m_plant;
     SignalWatch m_signals;
+    DesktopWatch m_desktop;
     std::unique_ptr<SimulatedPlant> m_simulated;
     std::unique_ptr<gui::MainWindow> m_window;
     std::unique_ptr<SessionThread> m_session;

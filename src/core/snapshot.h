@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/alarm.h"
+#include "core/jog.h"
 #include "core/link_snapshot.h"
 #include "core/plant_layout.h"
 #include "core/robot_status.h"
@@ -51,8 +52,9 @@ struct AgvSnapshot {
     LinkSnapshot robotLink;
     std::optional<BatteryStatus> battery;
     std::optional<RobotState> robotState;
-    WheelSpeeds commanded;      ///< last wheel speeds sent
-    bool mayBeMoving = false;   ///< connection lost while the last command was not zero
+    WheelSpeeds commanded;    ///< last wheel speeds sent
+    bool mayBeMoving = false; ///< connection lost while the last command was not zero
+    JogSnapshot jog;
     double turnTime_s = 1.125;  ///< sleeptime in use
     double turnSpeed_m_s = 0.1; ///< wheel speed of the next turn; the sleeptime is for this one
     std::optional<Pose2> pose;  ///< of now; empty before the first turn

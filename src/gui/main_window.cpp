@@ -28,13 +28,18 @@ MainWindow::MainWindow(const PlantLayout& plant, QWidget* parent)
 }
 
 // A field that loses its focus because the window goes away reports to a window that is half gone.
-MainWindow::~MainWindow() { d->ui.calibration->disconnect(this); }
+MainWindow::~MainWindow()
+{
+    d->ui.calibration->disconnect(this);
+    d->ui.jog->disconnect(this);
+}
 
 void MainWindow::showSnapshot(const PlantSnapshot& snapshot)
 {
     d->ui.map->showSnapshot(snapshot);
     d->ui.links->showSnapshot(snapshot);
     d->ui.calibration->showSnapshot(snapshot);
+    d->ui.jog->showSnapshot(snapshot);
     d->uwb->showSnapshot(snapshot);
     d->alarms->showSnapshot(snapshot);
     d->ui.shift->showSnapshot(snapshot);

@@ -65,6 +65,13 @@ signals:
     /// Besides turnTimeChanged(): it is to be kept, as the time of this wheel speed.
     void turnTimeApplied(int robot, double seconds, double metresPerSecond);
     void stopAllRequested();
+    /// Driving by hand: once per press, "still held" every 50 ms, once when it ends.
+    void jogPressed(int robot, const agv::JogCommand& command);
+    void jogHeld(int robot, const agv::JogCommand& command);
+    void jogReleased(int robot, const agv::JogCommand& command, agv::JogReason why);
+    void stopRequested(int robot);
+    void dockRequested(int robot, agv::DockOrder order);
+    void stopAllReleased(); ///< hands may drive again after Stop all
     /// A trainer's command for the simulated plant (docs/simulated-plant.md).
     void simulationCommandRequested(const QString& command);
 

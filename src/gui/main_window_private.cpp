@@ -4,6 +4,7 @@
 #include "gui/cell_delegates.h"
 #include "gui/glyphs.h"
 #include "gui/hint_table_view.h"
+#include "gui/jog_pad.h"
 #include "gui/map/map_controls.h"
 #include "gui/next_step.h"
 #include "gui/shortcut_dialog.h"
@@ -25,12 +26,6 @@ namespace agv::gui {
 
 using model::Words;
 
-namespace {
-
-constexpr int layoutVersion = 5; ///< raised when docks or tool bars change their names
-
-} // namespace
-
 void MainWindow::Private::build(const PlantLayout& described)
 {
     ui.setupUi(q);
@@ -42,6 +37,7 @@ void MainWindow::Private::build(const PlantLayout& described)
     ui.map->setPlant(plant);
     ui.calibration->setPlant(plant);
     ui.shift->setPlant(plant);
+    ui.jog->setPlant(plant);
     uwb = std::make_unique<UwbScreens>(ui, q);
     uwb->setPlant(plant);
     alarms = new AlarmScreen(ui, q);
@@ -112,6 +108,7 @@ void MainWindow::Private::connectActions()
     connect(calibration, &CalibrationPanel::turnSpeedChanged, q, &MainWindow::turnSpeedChanged);
     connect(calibration, &CalibrationPanel::turnTimeApplied, q, &MainWindow::turnTimeApplied);
     connect(calibration, &CalibrationPanel::robotChosen, ui.map, &MapWidget::setSelectedRobot);
+    connectJog();
     connect(calibration, &CalibrationPanel::actionsChanged, q, [this] {
         ui.initialiseAction->setEnabled(ui.calibration->canStart());
         ui.initialiseAction->setIconText(tr("Calibrate %1").arg(ui.calibration->robotName()));
@@ -172,6 +169,25 @@ void MainWindow::Private::connectShift()
     });
 }
 
+void MainWindow::Private::connectJog()
+{
+    JogPanel* jog = ui.jog;
+    connect(jog, &JogPanel::pressed, q, &MainWindow::jogPressed);
+    connect(jog, &JogPanel::held, q, &MainWindow::jogHeld);
+    connect(jog, &JogPanel::released, q, &MainWindow::jogReleased);
+    connect(jog, &JogPanel::stopRequested, q, &MainWindow::stopRequested);
+    connect(jog, &JogPanel::dockRequested, q, &MainWindow::dockRequested);
+    connect(jog, &JogPanel::stopAllReleased, q, &MainWindow::stopAllReleased);
+    connect(jog, &JogPanel::robotChosen, ui.calibration, &CalibrationPanel::setRobot);
+    connect(ui.calibration, &CalibrationPanel::robotChosen, jog, &JogPanel::setRobot);
+    connect(ui.jogDock, &QDockWidget::visibilityChanged, jog, &JogPanel::setSeen);
+    connect(ui.driveAction, &QAction::triggered, q, [this] {
+        ui.jogDock->show();
+        ui.jogDock->raise();
+        ui.jog->pad()->setFocus(Qt::ShortcutFocusReason);
+    });
+}
+
 void MainWindow::Private::connectSimulationMenu()
 {
     const std::pair<QAction*, const char*> faults[] = {
@@ -220,6 +236,7 @@ void MainWindow::Private::applyTheme()
     ui.calibration->setTheme(theme);
     ui.shift->setTheme(theme);
     ui.plots->setTheme(theme);
+    ui.jog->setTheme(theme);
     ui.events->setTheme(theme);
     uwb->setTheme(theme);
     alarms->setTheme(theme);
@@ -263,81 +280,6 @@ void MainWindow::Private::addVehicleActions(const PlantLayout& layout)
         ui.chooseMenu->addAction(action);
         q->addAction(action);
     }
-}
-
-void MainWindow::Private::focusNextPanel()
-{
-    const auto field = [](const QWidget* panel, const char* name) {
-        return panel->findChild<QWidget*>(QString::fromLatin1(name));
-    };
-    // Each with the first of its fields that takes the keyboard; the map takes it itself.
-    const std::pair<QWidget*, QWidget*> panels[] = {{ui.map, ui.map},
-                                                    {ui.links, field(ui.links, "linkTable")},
-                                                    {ui.calibration, field(ui.calibration, "robotCombo")},
-                                                    {ui.shift, field(ui.shift, "checkButton")},
-                                                    {ui.events, field(ui.events, "table")},
-                                                    {ui.alarms, field(ui.alarms, "alarmTable")},
-                                                    {ui.plots, field(ui.plots, "groupCombo")},
-                                                    {ui.anchors, ui.anchors->table()},
-                                                    {ui.uwbTags, ui.uwbTags->table()}};
-    const QWidget* focus = QApplication::focusWidget();
-    const std::size_t count = std::size(panels);
-    std::size_t current = count - 1;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (focus && (panels[i].first == focus || panels[i].first->isAncestorOf(focus)))
-            current = i;
-    }
-    for (std::size_t step = 1; step <= count; ++step) {
-        const auto& [panel, target] = panels[(current + step) % count];
-        // A dock behind another one counts as visible, but nothing of it is to be seen.
-        if (!panel->isVisible() || panel->visibleRegion().isEmpty())
-            continue;
-        target->setFocus(Qt::ShortcutFocusReason);
-        return;
-    }
-}
-
-QList<QDockWidget*> MainWindow::Private::docks() const
-{
-    return {ui.linksDock,  ui.shiftDock, ui.calibrationDock, ui.eventsDock,
-            ui.alarmsDock, ui.plotsDock, ui.anchorsDock,     ui.tagsDock};
-}
-
-void MainWindow::Private::resetLayout()
-{
-    for (QDockWidget* dock : docks()) {
-        dock->setFloating(false);
-        dock->show();
-    }
-    q->addDockWidget(Qt::LeftDockWidgetArea, ui.linksDock);
-    q->addDockWidget(Qt::RightDockWidgetArea, ui.calibrationDock);
-    q->tabifyDockWidget(ui.calibrationDock, ui.shiftDock);
-    q->tabifyDockWidget(ui.shiftDock, ui.plotsDock);
-    ui.calibrationDock->raise();
-    q->addDockWidget(Qt::BottomDockWidgetArea, ui.eventsDock);
-    q->tabifyDockWidget(ui.eventsDock, ui.alarmsDock);
-    q->tabifyDockWidget(ui.alarmsDock, ui.anchorsDock);
-    q->tabifyDockWidget(ui.anchorsDock, ui.tagsDock);
-    ui.eventsDock->raise();
-    const int em = q->fontMetrics().horizontalAdvance(QLatin1Char('0'));
-    q->resizeDocks({ui.linksDock, ui.calibrationDock}, {45 * em, 52 * em}, Qt::Horizontal);
-    q->resizeDocks({ui.eventsDock}, {13 * q->fontMetrics().height()}, Qt::Vertical);
-}
-
-void MainWindow::Private::restoreLayout()
-{
-    const QSettings settings;
-    q->restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-    q->restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), layoutVersion);
-    ui.toolBar->show();
-    ui.stopBar->show();
-}
-
-void MainWindow::Private::saveLayout() const
-{
-    QSettings settings;
-    settings.setValue(QStringLiteral("window/geometry"), q->saveGeometry());
-    settings.setValue(QStringLiteral("window/state"), q->saveState(layoutVersion));
 }
 
 void MainWindow::Private::showTrouble(Trouble kind, const QString& reason)

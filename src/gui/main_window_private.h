@@ -23,6 +23,7 @@ public:
     void build(const PlantLayout& described);
     void connectActions();
     void connectShift();
+    void connectJog();
     void connectSimulationMenu();
     void retranslate();
 

@@ -57,8 +57,12 @@ bool RobotConnection::send(const QByteArray& message, Urgency urgency)
 
 void RobotConnection::pump()
 {
+    forgetConfirmed();
     while (m_socket && m_output.size() > 0 && underway() < handedOver) {
-        m_socket->write(*m_output.pop());
+        const QByteArray message = *m_output.pop();
+        m_socket->write(message);
+        m_written += message.size();
+        m_unconfirmed.push_back({m_written, std::chrono::steady_clock::now()});
         // Not a turn of the event loop later: a stop is on its way when send() returns.
         if (m_socket)
             m_socket->flush();
@@ -69,9 +73,26 @@ void RobotConnection::pump()
 
 qint64 RobotConnection::underway() const
 {
+    if (!m_socket)
+        return 0;
     int inSystem = 0;
     ::ioctl(descriptor(), SIOCOUTQ, &inSystem);
     return m_socket->bytesToWrite() + inSystem;
+}
+
+void RobotConnection::forgetConfirmed()
+{
+    const qint64 confirmed = m_written - underway();
+    while (!m_unconfirmed.empty() && m_unconfirmed.front().end <= confirmed)
+        m_unconfirmed.pop_front();
+}
+
+Duration RobotConnection::unconfirmedFor(Time now)
+{
+    if (!m_socket)
+        return Duration::zero();
+    forgetConfirmed();
+    return m_unconfirmed.empty() ? Duration::zero() : now - m_unconfirmed.front().time;
 }
 
 int RobotConnection::descriptor() const

@@ -8,6 +8,8 @@
 #include "link/chunk.h"
 #include "link/output_queue.h"
 
+#include <deque>
+
 class QTcpSocket;
 
 namespace agv::link {
@@ -29,6 +31,9 @@ public:
     bool send(const QByteArray& message, Urgency urgency);
     /// Hands what waits to the system and closes in order, so that it still reaches the robot.
     void finish();
+    /// How long the oldest of the messages handed to the system has waited for the robot's system to confirm
+    /// it; zero when none waits. The robot link has no acknowledgements of its own; this is TCP's.
+    Duration unconfirmedFor(Time now);
     QString peer() const { return m_peer; }
     int descriptor() const; ///< -1 once ended
 
@@ -37,7 +42,12 @@ signals:
     void ended(const QString& reason);
 
 private:
+    struct Handed {
+        qint64 end = 0; ///< of all bytes ever handed over
+        Time time;
+    };
     void pump();
+    void forgetConfirmed();
     qint64 underway() const;
     void onReadyRead();
     void onError();
@@ -45,6 +55,8 @@ private:
     QTcpSocket* m_socket; ///< owned (QObject child); null once ended
     QString m_peer;
     OutputQueue m_output;
+    qint64 m_written = 0;
+    std::deque<Handed> m_unconfirmed;
     QTimer m_again; ///< tries again while messages wait: the system does not say when the robot took some
 };
 

@@ -64,6 +64,12 @@ bool RobotServer::send(int robot, const QByteArray& message, Urgency urgency)
     return found != m_connections.end() && found->second->send(message, urgency);
 }
 
+Duration RobotServer::unconfirmedFor(int robot, Time now) const
+{
+    const auto found = m_connections.find(robot);
+    return found != m_connections.end() ? found->second->unconfirmedFor(now) : Duration::zero();
+}
+
 std::optional<int> RobotServer::robotAt(const QHostAddress& address) const
 {
     std::optional<int> robot;

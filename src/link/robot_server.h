@@ -38,6 +38,8 @@ public:
 
     /// False when the robot is not connected or its backlog is full.
     bool send(int robot, const QByteArray& message, Urgency urgency);
+    /// See RobotConnection; zero when the robot is not connected.
+    Duration unconfirmedFor(int robot, Time now) const;
     bool isConnected(int robot) const { return m_connections.contains(robot); }
     /// Which robot a datagram from `address` belongs to; empty when none or more than one lives there.
     std::optional<int> robotAt(const QHostAddress& address) const;

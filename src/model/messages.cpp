@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/messages.h"
 
+#include "model/jog_messages.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace agv::model {
 namespace {
@@ -324,8 +328,7 @@ QString filled(const QString& pattern, const QStringList& values, const Translat
     return text;
 }
 
-template<std::size_t n>
-QString translate(const char* const (&known)[n], const QString& english, int depth)
+QString translate(std::span<const char* const> known, const QString& english, int depth)
 {
     for (const char* pattern : known) {
         const std::optional<QStringList> values = captures(QString::fromUtf8(pattern), english);
@@ -342,7 +345,12 @@ QString translate(const char* const (&known)[n], const QString& english, int dep
 
 QString Messages::sentence(const std::string& english)
 {
-    return translate(patterns, QString::fromStdString(english), deepest);
+    static const std::vector<const char*> all = [] {
+        std::vector<const char*> both(std::begin(jogPatterns), std::end(jogPatterns));
+        both.insert(both.end(), std::begin(patterns), std::end(patterns));
+        return both;
+    }();
+    return translate(all, QString::fromStdString(english), deepest);
 }
 
 QString Messages::source(const std::string& english)

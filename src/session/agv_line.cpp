@@ -2,6 +2,7 @@
 #include "session/agv_line.h"
 
 #include "procedure/turn_parameters.h"
+#include "session/jog_runner.h"
 #include "session/reader_link.h"
 #include "session/robot_link.h"
 #include "session/standing_pose.h"
@@ -21,6 +22,8 @@ AgvLine::AgvLine(const AgvConfig& config, const PlantLayout& plant, link::RobotS
       m_reader(new ReaderLink(config.id.number, config.reader, this)),
       m_robot(new RobotLink(config.id.number, server, this)),
       m_turn(new TurnRunner(*m_robot, std::move(solve), method, this)),
+      m_jog(new JogRunner(
+          *m_robot, config.maxSpeed_m_s, [this] { return m_turn->isActive(); }, this)),
       m_turnTime_s(config.turnTime_s),
       m_turnSpeed_m_s(config.turnSpeed_m_s),
       m_tracker(plant, config)
@@ -28,6 +31,9 @@ AgvLine::AgvLine(const AgvConfig& config, const PlantLayout& plant, link::RobotS
     wireReader();
     wireRobot();
     wireTurn();
+    connect(m_jog, &JogRunner::message, this,
+            [this](EventLevel level, const QString& text) { log(level, text.toStdString()); });
+    connect(m_jog, &JogRunner::changed, this, &AgvLine::changed);
 }
 
 void AgvLine::wireReader()
@@ -57,6 +63,7 @@ void AgvLine::wireRobot()
 void AgvLine::onRobotState(RobotState state)
 {
     m_turn->onRobotState(state);
+    m_jog->onRobotState();
     const bool drivesByItself = state == RobotState::StationDocking ||
                                 state == RobotState::StationUndocking || state == RobotState::DemoDocking;
     if (drivesByItself)
@@ -102,6 +109,8 @@ std::string AgvLine::whyNoTurn() const
         return "the robot is not connected";
     if (!m_reader->isConnected())
         return "the RFID reader is not connected";
+    if (m_jog->isDriving())
+        return "it is driven by hand: let go first";
     if (m_robot->state() == RobotState::StationDocked)
         return "the robot is docked: undock it first";
     if (m_robot->state() == RobotState::Error)
@@ -164,15 +173,28 @@ void AgvLine::setTurnSpeed(double metresPerSecond)
     emit changed();
 }
 
-void AgvLine::stop(const std::string& reason)
+void AgvLine::stopAll(const std::string& reason)
 {
+    m_jog->latch();
     m_turn->abort(reason);
     m_robot->stop();
     emit changed();
 }
 
+void AgvLine::stopByHand()
+{
+    m_turn->abort("Stop was pressed");
+    if (m_jog->isDriving())
+        m_jog->obstruct(JogReason::StoppedHere);
+    else
+        m_robot->stop();
+    log(EventLevel::Warning, "It was told to stop");
+    emit changed();
+}
+
 void AgvLine::stopNow(const std::string& reason)
 {
+    m_jog->latch();
     m_turn->abort(reason);
     m_robot->stopNow();
 }
@@ -183,6 +205,7 @@ void AgvLine::onRobotConnected(const QString& peer, bool replaced)
         log(EventLevel::Warning, "The robot connected a second time from " + peer.toStdString() +
                                      "; its older connection was closed");
         m_turn->onRobotLost("the robot connected anew, it may have restarted");
+        m_jog->obstruct(JogReason::LinkLost);
     } else {
         log(EventLevel::Info, "The robot connected from " + peer.toStdString());
     }
@@ -194,6 +217,7 @@ void AgvLine::onRobotLost(const QString& reason)
 {
     const bool turnSaysIt = m_turn->isActive(); // it ends with this reason
     m_robot->onLost(reason);
+    m_jog->obstruct(JogReason::LinkLost);
     if (m_robot->mayBeMoving())
         m_tracker.doubt("The link to the robot was lost while it drove: calibrate it again");
     m_turn->onRobotLost(reason.toStdString());
@@ -266,6 +290,7 @@ AgvSnapshot AgvLine::snapshot(Time now)
     snapshot.robotState = m_robot->state();
     snapshot.commanded = m_robot->commanded();
     snapshot.mayBeMoving = m_robot->mayBeMoving();
+    snapshot.jog = m_jog->snapshot(now);
     snapshot.turnTime_s = m_turnTime_s;
     snapshot.turnSpeed_m_s = m_turnSpeed_m_s;
     const TrackedPose tracked = m_tracker.pose(now);

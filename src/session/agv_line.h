@@ -16,6 +16,7 @@
 
 namespace agv::session {
 
+class JogRunner;
 class ReaderLink;
 class RobotLink;
 class TurnRunner;
@@ -37,8 +38,10 @@ public:
     void retakeStop(int stop);
     void setTurnTime(double seconds);
     void setTurnSpeed(double metresPerSecond);
-    /// Zero speed, whatever runs; never refused.
-    void stop(const std::string& reason);
+    /// Zero speed, whatever runs; never refused. Driving by hand is locked until its latch is released.
+    void stopAll(const std::string& reason);
+    /// The same for this AGV alone, without the latch.
+    void stopByHand();
     /// The same at once, for the end of the program.
     void stopNow(const std::string& reason);
 
@@ -51,6 +54,7 @@ public:
     void onRobotConnected(const QString& peer, bool replaced);
     void onRobotLost(const QString& reason);
     RobotLink& robot() { return *m_robot; }
+    JogRunner& jog() { return *m_jog; }
 
     AgvSnapshot snapshot(Time now);
 
@@ -79,6 +83,7 @@ private:
     ReaderLink* m_reader;
     RobotLink* m_robot;
     TurnRunner* m_turn;
+    JogRunner* m_jog;
     std::set<std::string> m_readerTroubles; ///< logged since the link was last well
     double m_turnTime_s;
     double m_turnSpeed_m_s;

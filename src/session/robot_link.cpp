@@ -32,6 +32,12 @@ bool isDriving(RobotState state)
     return state != RobotState::Idle && state != RobotState::StationDocked && state != RobotState::Error;
 }
 
+bool isDocking(RobotState state)
+{
+    return state == RobotState::StationDocking || state == RobotState::StationUndocking ||
+           state == RobotState::DemoDocking;
+}
+
 const char* nameOf(RobotState state)
 {
     switch (state) {
@@ -96,6 +102,7 @@ void RobotLink::onConnected(const QString& peer)
     m_connectedAt = monotonicNow();
     m_lastData.reset();
     m_state.reset();
+    m_toldToDock = false;
     m_stream.reset();
     stop();
 }
@@ -121,7 +128,7 @@ void RobotLink::onLost(const QString& reason)
 {
     m_connected = false;
     m_lossReason = reason.toStdString();
-    m_mayBeMoving = m_commanded != WheelSpeeds{} ||
+    m_mayBeMoving = m_commanded != WheelSpeeds{} || drivesItself() ||
                     (m_unconfirmedStop && monotonicNow() - *m_unconfirmedStop < lossKnownAfter);
     m_burst.cancel();
     armBurst();
@@ -148,9 +155,16 @@ bool RobotLink::send(const protocol::RobotCommand& command)
         m_burst.cancel();
     } else if (std::holds_alternative<protocol::Interrupt>(command)) {
         noteSpeeds({});
+        m_toldToDock = false;
+    } else {
+        m_toldToDock = true;
+        m_burst.cancel(); // its zeros would stop the docking
+        armBurst();
     }
     return true;
 }
+
+bool RobotLink::drivesItself() const { return m_toldToDock || (m_state && isDocking(*m_state)); }
 
 void RobotLink::noteSpeeds(const WheelSpeeds& speeds)
 {
@@ -164,6 +178,8 @@ void RobotLink::noteSpeeds(const WheelSpeeds& speeds)
 
 void RobotLink::stop()
 {
+    if (drivesItself())
+        send(protocol::Interrupt{});
     if (send(protocol::DirectDrive{}))
         m_mayBeMoving = false;
     m_burst.begin(monotonicNow());
@@ -207,6 +223,8 @@ void RobotLink::take(const protocol::RobotReport& report, Time now)
         const std::optional<RobotState> before = std::exchange(m_state, update->state);
         if (!isDriving(update->state))
             m_unconfirmedStop.reset();
+        if (before && *before != update->state && !isDocking(update->state))
+            m_toldToDock = false;
         if (before != update->state) {
             emit message(weightOf(before, update->state),
                          QStringLiteral("The robot is %1").arg(QLatin1String(nameOf(update->state))));

@@ -33,12 +33,16 @@ public:
 
     /// False when the robot is not connected, does not read, or the command cannot be encoded.
     bool send(const protocol::RobotCommand& command);
-    /// Zero speed, several times.
+    /// Zero speed, several times; before that an interrupt, should the robot drive by itself.
     void stop();
     /// Interrupt and zero speeds at once, for the end of the program.
     void stopNow();
 
     bool isConnected() const { return m_connected; }
+    /// How long a command has waited for the robot's system to confirm it; zero: none waits.
+    Duration unconfirmedFor(Time now) const { return m_server.unconfirmedFor(m_robot, now); }
+    /// It docks or undocks, by its own word or because it was just told to.
+    bool drivesItself() const;
     std::optional<RobotState> state() const { return m_state; }
     /// A number no segment of this robot has had yet.
     std::uint32_t nextSegment() const { return m_nextSegment; }
@@ -83,6 +87,7 @@ private:
     WheelSpeeds m_commanded;
     std::optional<Time> m_unconfirmedStop; ///< when a motion was told to end; until the robot says it stands
     bool m_mayBeMoving = false;
+    bool m_toldToDock = false; ///< or to undock; until it stands again
     std::uint32_t m_nextSegment = 0;
 };
 

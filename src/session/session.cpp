@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session.h"
 
-#include "estimation/turn_solver.h"
 #include "estimation/uwb/anchor_survey.h"
 #include "link/robot_server.h"
 #include "link/stranger_watch.h"
@@ -9,6 +8,7 @@
 #include "session/agv_line.h"
 #include "session/alarm_desk.h"
 #include "session/event_log.h"
+#include "session/jog_desk.h"
 #include "session/robot_link.h"
 #include "session/uwb_line.h"
 #include "session/wall_clock.h"
@@ -26,14 +26,6 @@ constexpr std::chrono::milliseconds frame(33);                 ///< 30 snapshots
 constexpr Duration idleFrame = std::chrono::milliseconds(200); ///< ages and rates change without events
 constexpr std::size_t refusedPeersKept = 16;
 constexpr std::chrono::seconds listenAgainAfter(2); ///< whoever holds the port may end
-
-SolveFunction solverFor(const PlantLayout& plant, const AgvConfig& agv, std::uint64_t seed)
-{
-    return [context = estimation::contextFor(plant, agv), seed](const TurnRecord& record, SolveMethod method,
-                                                                std::stop_token stop) {
-        return estimation::solveTurn(record, context, {method, seed, std::move(stop)});
-    };
-}
 
 } // namespace
 
@@ -64,8 +56,9 @@ public:
     QTimer* frameTimer;
     QTimer* listenTimer;
     link::StrangerWatch telemetryStrangers;
-    UwbLine* uwb = nullptr;        ///< null without anchors; owned (QObject child of the session)
-    bool isUwbWanted = false;      ///< open, or to be opened with the first anchors
+    UwbLine* uwb = nullptr;   ///< null without anchors; owned (QObject child of the session)
+    bool isUwbWanted = false; ///< open, or to be opened with the first anchors
+    JogDesk* jogDesk;
     std::map<int, AgvLine*> lines; ///< owned (QObject children of the session)
     std::vector<std::string> refusedPeers;
     std::string listening = "Not listening yet";
@@ -82,7 +75,8 @@ Session::Private::Private(Session& owner, PlantLayout layout, SessionOptions ses
       telemetry(new link::TelemetrySocket(&owner)),
       alarms(new AlarmDesk(&owner)),
       frameTimer(new QTimer(&owner)),
-      listenTimer(new QTimer(&owner))
+      listenTimer(new QTimer(&owner)),
+      jogDesk(new JogDesk(&owner))
 {
     for (const AgvConfig& agv : plant.agvs)
         addLine(agv);
@@ -106,6 +100,7 @@ void Session::Private::addLine(const AgvConfig& config)
     auto* agv = new AgvLine(config, plant, *server, solverFor(plant, config, options.solverSeed),
                             options.method, events, &q);
     lines.emplace(robot, agv);
+    jogDesk->add(robot, *agv);
     QObject::connect(agv, &AgvLine::changed, &q, [this] { changed = true; });
     QObject::connect(agv, &AgvLine::bytesReceived, &q, [this, robot](const link::Chunk& chunk) {
         emit q.readerBytes(robot, chunk.bytes, chunk.time);
@@ -268,6 +263,8 @@ Session::~Session()
     delete d->server;
 }
 
+JogDesk* Session::jogDesk() const { return d->jogDesk; }
+
 void Session::start()
 {
     d->listen();
@@ -393,7 +390,7 @@ void Session::stopAll(const QString& reason)
 {
     d->log(EventLevel::Warning, "All AGVs were told to stop: " + reason.toStdString());
     for (const auto& [robot, line] : d->lines)
-        line->stop(reason.toStdString());
+        line->stopAll(reason.toStdString());
 }
 
 } // namespace agv::session

@@ -19,6 +19,7 @@
 namespace agv::session {
 
 class AlarmDesk;
+class JogDesk;
 
 struct SessionOptions {
     bool simulated = false; ///< shown on every screen
@@ -39,6 +40,9 @@ public:
 
     /// What operators say of alarms goes there, queued.
     AlarmDesk& alarms();
+
+    /// Driving by hand.
+    JogDesk* jogDesk() const;
 
 public slots:
     /// Listens for robots and telemetry; emits listening() or an Error event that says why not. A port that

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/solve_worker.h"
 
+#include "estimation/turn_solver.h"
+
 #include <utility>
 
 namespace agv::session {
+
+SolveFunction solverFor(const PlantLayout& plant, const AgvConfig& agv, std::uint64_t seed)
+{
+    return [context = estimation::contextFor(plant, agv), seed](const TurnRecord& record, SolveMethod method,
+                                                                std::stop_token stop) {
+        return estimation::solveTurn(record, context, {method, seed, std::move(stop)});
+    };
+}
 
 SolveWorker::SolveWorker(SolveFunction solve, QObject* parent) : QObject(parent), m_solve(std::move(solve)) {}
 

@@ -3,6 +3,7 @@
 
 #include <QObject>
 
+#include "core/plant_layout.h"
 #include "core/turn.h"
 
 #include <functional>
@@ -17,6 +18,9 @@ namespace agv::session {
 /// once the token asks for it.
 using SolveFunction =
     std::function<TurnEstimate(const TurnRecord& record, SolveMethod method, std::stop_token stop)>;
+
+/// The solvers of this program for the turns of `agv`; the same seed gives the same answers.
+SolveFunction solverFor(const PlantLayout& plant, const AgvConfig& agv, std::uint64_t seed);
 
 /// Runs solvers off the event loop. A new request cancels the one before: its answer is never delivered.
 /// Lives in the session thread.

@@ -12,6 +12,7 @@
 #include "procedure/range_calibration.h"
 #include "procedure/turn_parameters.h"
 #include "procedure/uwb_handshake.h"
+#include "session/jog_text.h"
 #include "session/uwb_link.h"
 #include "session/uwb_tag_track.h"
 
@@ -47,6 +48,7 @@ private slots:
     void whyAPoseIsDoubtedHasItsGermanSentence();
     void whyAnAnchorIsDoubtedHasItsGermanSentence();
     void whatAUwbUnitIsHasItsGermanSentence();
+    void whyAHandDoesNotDriveHasItsGermanSentence();
     void everyBadParameterHasItsGermanSentence();
     void whereASleeptimeIsKeptHasItsGermanSentence();
 
@@ -300,6 +302,25 @@ void MessagesTest::whatAUwbUnitIsHasItsGermanSentence()
 {
     QCOMPARE(Messages::sentence("The unit is Ver.2.25mx TREK: anchor 0, channel 2, 6.81 Mb/s"),
              QStringLiteral("Die Einheit ist Ver.2.25mx TREK: Anker 0, Kanal 2, 6.81 Mb/s"));
+}
+
+void MessagesTest::whyAHandDoesNotDriveHasItsGermanSentence()
+{
+    for (int i = int(JogReason::None) + 1; i <= int(JogReason::BadSpeed); ++i) {
+        const std::string why = session::sentenceOf(JogReason(i));
+        QVERIFY(!why.empty());
+        checkTranslated(why);
+        checkTranslated("It does not drive: " + why);
+        checkTranslated("Stopped: " + why);
+        checkTranslated("Driving by hand ended: " + why);
+    }
+    for (const DockOrder order : {DockOrder::Dock, DockOrder::Undock, DockOrder::Charge}) {
+        checkTranslated("It was told to " + session::nameOf(order));
+        checkTranslated("It does not " + session::nameOf(order) + ": the robot is not connected");
+    }
+    for (const char* sentence : {"Driven by hand, with the keys", "Driven by hand, with the pad",
+                                 "It was told to stop", "Stop was pressed"})
+        checkTranslated(sentence);
 }
 
 void MessagesTest::everyBadParameterHasItsGermanSentence()

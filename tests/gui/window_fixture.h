@@ -30,6 +30,9 @@ protected:
     }
     void click(const char* button) const { QTest::mouseClick(find<QAbstractButton>(button), Qt::LeftButton); }
 
+    /// Once the window of a test is there.
+    virtual void prepare() {}
+
     std::unique_ptr<MainWindow> m_window;
 
 private slots:
@@ -46,6 +49,7 @@ private slots:
         m_window->resize(1280, 800);
         m_window->show();
         QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        prepare();
     }
     void cleanup()
     {

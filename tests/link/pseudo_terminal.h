@@ -34,6 +34,7 @@ public:
     PseudoTerminal& operator=(const PseudoTerminal&) = delete;
 
     bool isGood() const { return m_isGood; }
+    int descriptor() const { return m_master; } ///< to write from another thread
     const QString& path() const { return m_path; }
     bool write(const QByteArray& bytes)
     {

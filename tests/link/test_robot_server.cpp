@@ -135,6 +135,24 @@ private slots:
         QVERIFY2(lost[0][1].toString().contains("no longer answers"), qPrintable(lost[0][1].toString()));
         QVERIFY(!m_server->isConnected(1));
     }
+    void knowsForHowLongARobotHasConfirmedNothing()
+    {
+        using namespace std::chrono_literals;
+        const auto now = [] { return std::chrono::steady_clock::now(); };
+        QSignalSpy connected(m_server.get(), &RobotServer::robotConnected);
+        const auto robot = connectFrom("127.0.0.2");
+        QTRY_COMPARE(connected.size(), 1);
+        QCOMPARE(m_server->unconfirmedFor(1, now()), Duration::zero());
+        QVERIFY(m_server->send(1, "drive", Urgency::Ordinary));
+        QTRY_COMPARE(m_server->unconfirmedFor(1, now()), Duration::zero());
+        QVERIFY(vanish(*robot));
+        const Time first = now();
+        QVERIFY(m_server->send(1, "drive", Urgency::Ordinary));
+        QVERIFY(m_server->send(1, "drive", Urgency::Ordinary)); // the oldest counts
+        QTRY_VERIFY(m_server->unconfirmedFor(1, now()) >= 250ms);
+        QVERIFY(m_server->unconfirmedFor(1, now()) <= now() - first);
+        QCOMPARE(m_server->unconfirmedFor(2, now()), Duration::zero()); // not connected
+    }
     void aStopGetsThroughToARobotThatDidNotReadForAWhile()
     {
         QSignalSpy connected(m_server.get(), &RobotServer::robotConnected);

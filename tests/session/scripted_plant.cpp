@@ -96,6 +96,7 @@ void ScriptedRobot::report(const protocol::RobotReport& report)
 void ScriptedRobot::take(const protocol::RobotCommand& command)
 {
     m_wire.push_back(command);
+    m_times.push_back(std::chrono::steady_clock::now());
     if (const auto* drive = std::get_if<protocol::DirectDrive>(&command)) {
         const bool drove = std::exchange(m_drives, drive->speeds != WheelSpeeds{});
         if (drove && !m_drives)

@@ -62,6 +62,7 @@ public:
 
     /// Everything the console ever said, over all connections.
     const std::vector<protocol::RobotCommand>& wire() const { return m_wire; }
+    const std::vector<Time>& times() const { return m_times; } ///< when each arrived
     int motionsAfter(std::size_t index) const; ///< commands from `index` on that start a motion
     int zerosAfter(std::size_t index) const;   ///< zero wheel speeds from `index` on
     std::size_t behindLastMotion() const;      ///< index of the wire
@@ -74,6 +75,7 @@ private:
     protocol::CommandStream m_stream;
     bool m_drives = false;
     std::vector<protocol::RobotCommand> m_wire;
+    std::vector<Time> m_times;
     int m_segmentsDone = 0;               ///< ends of driven segments that were reported
     std::unique_ptr<QTcpSocket> m_socket; ///< last, so gone before what it fills
 };
