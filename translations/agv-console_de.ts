@@ -211,6 +211,81 @@
     </message>
 </context>
 <context>
+    <name>JogPanel</name>
+    <message>
+        <source>AGV</source>
+        <translation>AGV</translation>
+    </message>
+    <message>
+        <source>The AGV to drive</source>
+        <translation>Das AGV, das gefahren wird</translation>
+    </message>
+    <message>
+        <source>F&amp;ine</source>
+        <translation>Fe&amp;in</translation>
+    </message>
+    <message>
+        <source>A fifth of the speed, to place the AGV exactly</source>
+        <translation>Ein Fünftel der Geschwindigkeit, um das AGV genau hinzustellen</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Speed of the faster wheel</source>
+        <translation>Geschwindigkeit des schnelleren Rades</translation>
+    </message>
+    <message>
+        <source>Speed of the faster wheel. Hands never drive faster than 250 mm/s, nor than the plant file allows this AGV.</source>
+        <translation>Geschwindigkeit des schnelleren Rades. Von Hand wird nie schneller als 250 mm/s gefahren und nie schneller, als die Anlagendatei diesem AGV erlaubt.</translation>
+    </message>
+    <message>
+        <source>Stop all was pressed. No AGV can be driven by hand until you release it. Look that the way is free.</source>
+        <translation>„Alle anhalten“ wurde gedrückt. Kein AGV lässt sich von Hand fahren, bis Sie es freigeben. Prüfen Sie, ob der Weg frei ist.</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Freigeben</translation>
+    </message>
+    <message>
+        <source>Let hands drive again after Stop all, with a fresh press</source>
+        <translation>Handfahrt nach „Alle anhalten“ wieder erlauben, mit neuem Drücken</translation>
+    </message>
+    <message>
+        <source>Keys: W A S D or the arrow keys, two at once for a curve; space stops this AGV. They work only while the pad has the keyboard (blue frame): click it or press Ctrl+J.</source>
+        <translation>Tasten: W A S D oder die Pfeiltasten, zwei zugleich für eine Kurve; die Leertaste hält dieses AGV an. Sie wirken nur, solange das Fahrfeld die Tastatur hat (blauer Rahmen): anklicken oder Strg+J drücken.</translation>
+    </message>
+    <message>
+        <source>Dock</source>
+        <translation>Andocken</translation>
+    </message>
+    <message>
+        <source>The AGV drives into its dock by itself</source>
+        <translation>Das AGV fährt selbst in seine Ladestation</translation>
+    </message>
+    <message>
+        <source>Undock</source>
+        <translation>Abdocken</translation>
+    </message>
+    <message>
+        <source>The AGV leaves its dock by itself, backwards</source>
+        <translation>Das AGV verlässt seine Ladestation selbst, rückwärts</translation>
+    </message>
+    <message>
+        <source>Charge</source>
+        <translation>Laden</translation>
+    </message>
+    <message>
+        <source>The base of the AGV looks for its dock by itself, to charge</source>
+        <translation>Das Fahrgestell des AGV sucht seine Ladestation selbst, um zu laden</translation>
+    </message>
+    <message>
+        <source>If the Wi-Fi fails, an AGV may drive on with its last speed: keep the switch on the AGV in reach.</source>
+        <translation>Fällt das WLAN aus, fährt ein AGV vielleicht mit seiner letzten Geschwindigkeit weiter: den Schalter am AGV in Reichweite behalten.</translation>
+    </message>
+</context>
+<context>
     <name>LinksPanel</name>
     <message>
         <source>&amp;Open RFID</source>
@@ -763,6 +838,109 @@
         <source>Look at plant file, links, batteries, floor tags, anchors, sleeptimes and disk; moves nothing</source>
         <translation>Anlagendatei, Verbindungen, Batterien, Bodentags, Anker, Sleeptimes und Platte ansehen; bewegt nichts</translation>
     </message>
+    <message>
+        <source>Drive by hand</source>
+        <translation>Handfahrt</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>&amp;Drive by hand</source>
+        <translation>&amp;Handfahrt</translation>
+    </message>
+    <message>
+        <source>Show the drive pad and give it the keyboard</source>
+        <translation>Das Fahrfeld zeigen und ihm die Tastatur geben</translation>
+    </message>
+</context>
+<context>
+    <name>PlotPanel</name>
+    <message>
+        <source>S&amp;how</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>What the curves are</source>
+        <translation>Was die Kurven sind</translation>
+    </message>
+    <message>
+        <source>Whose curves</source>
+        <translation>Wessen Kurven</translation>
+    </message>
+    <message>
+        <source>How much time the plot shows</source>
+        <translation>Wie viel Zeit zu sehen ist</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>Hold the picture; the data go on</source>
+        <translation>Das Bild anhalten; die Daten laufen weiter</translation>
+    </message>
+    <message>
+        <source>&amp;Follow</source>
+        <translation>&amp;Folgen</translation>
+    </message>
+    <message>
+        <source>Keep the newest values in sight</source>
+        <translation>Die neuesten Werte im Blick behalten</translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation>E&amp;xportieren …</translation>
+    </message>
+    <message>
+        <source>Save the picture as PNG, SVG or PDF, or the visible values as CSV</source>
+        <translation>Das Bild als PNG, SVG oder PDF speichern oder die sichtbaren Werte als CSV</translation>
+    </message>
+    <message>
+        <source>Truly at</source>
+        <translation>Wirklich bei</translation>
+    </message>
+    <message>
+        <source>True x</source>
+        <translation>Wahres x</translation>
+    </message>
+    <message>
+        <source>True y</source>
+        <translation>Wahres y</translation>
+    </message>
+    <message>
+        <source>True heading</source>
+        <translation>Wahre Richtung</translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation>&amp;Verwenden</translation>
+    </message>
+    <message>
+        <source>Take this pose as the true one of the chosen AGV; its errors are counted from now on</source>
+        <translation>Diese Pose als die wahre des gewählten AGV nehmen; seine Fehler zählen von jetzt an</translation>
+    </message>
+    <message>
+        <source>&amp;Take its pose</source>
+        <translation>Seine Pose &amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Fill in the pose of now, to see how it drifts</source>
+        <translation>Die jetzige Pose eintragen, um zu sehen, wie sie wandert</translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation>Über der Zeit</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Verteilung</translation>
+    </message>
+    <message>
+        <source>Statistics of the visible values</source>
+        <translation>Statistik der sichtbaren Werte</translation>
+    </message>
 </context>
 <context>
     <name>ResultCard</name>
@@ -1081,6 +1259,92 @@ Genauigkeit, 95 %</translation>
     <message>
         <source>Nothing has happened yet. Connections, turns and errors are written here.</source>
         <translation>Noch ist nichts geschehen. Verbindungen, Drehungen und Fehler erscheinen hier.</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::JogPad</name>
+    <message>
+        <source>Curve ahead to the left</source>
+        <translation>Kurve vorwärts nach links</translation>
+    </message>
+    <message>
+        <source>Ahead</source>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>Curve ahead to the right</source>
+        <translation>Kurve vorwärts nach rechts</translation>
+    </message>
+    <message>
+        <source>Turn left on the spot</source>
+        <translation>Auf der Stelle nach links drehen</translation>
+    </message>
+    <message>
+        <source>Turn right on the spot</source>
+        <translation>Auf der Stelle nach rechts drehen</translation>
+    </message>
+    <message>
+        <source>Curve back to the left</source>
+        <translation>Kurve rückwärts nach links</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Rückwärts</translation>
+    </message>
+    <message>
+        <source>Curve back to the right</source>
+        <translation>Kurve rückwärts nach rechts</translation>
+    </message>
+    <message>
+        <source>Drive pad</source>
+        <translation>Fahrfeld</translation>
+    </message>
+    <message>
+        <source>Hold W, A, S, D or an arrow key to drive while this pad has the keyboard; space stops this AGV</source>
+        <translation>W, A, S, D oder eine Pfeiltaste halten, um zu fahren, solange dieses Feld die Tastatur hat; die Leertaste hält dieses AGV an</translation>
+    </message>
+    <message>
+        <source>%1: drives as long as you hold it</source>
+        <translation>%1: fährt, solange Sie halten</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop this AGV, whatever it does (space). Software stop, does not replace the emergency stop.</source>
+        <translation>Dieses AGV anhalten, was immer es tut (Leertaste). Software-Halt, ersetzt nicht den Not-Halt.</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::JogPanel</name>
+    <message>
+        <source>It is driven already: mouse and keys do not drive together.</source>
+        <translation>Es wird schon gefahren: Maus und Tasten fahren nicht zusammen.</translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation>AGV %1</translation>
+    </message>
+    <message>
+        <source>This window did not react for a moment, so the press was not sent. Press again.</source>
+        <translation>Dieses Fenster hat einen Moment nicht reagiert, darum wurde nichts gesendet. Drücken Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 drives: left wheel %2, right wheel %3.</source>
+        <translation>%1 fährt: linkes Rad %2, rechtes Rad %3.</translation>
+    </message>
+    <message>
+        <source>%1. Let go, then press again.</source>
+        <translation>%1. Loslassen, dann neu drücken.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be driven now: %2.</source>
+        <translation>%1 lässt sich jetzt nicht fahren: %2.</translation>
+    </message>
+    <message>
+        <source>Ready. %1 drives as long as you hold an arrow.</source>
+        <translation>Bereit. %1 fährt, solange Sie einen Pfeil halten.</translation>
     </message>
 </context>
 <context>
@@ -1407,6 +1671,89 @@ x %3, y %4, Höhe %5</translation>
     <message>
         <source>Plant files (*.json);;All files (*)</source>
         <translation>Anlagendateien (*.json);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::PlotPanel</name>
+    <message>
+        <source>30 seconds</source>
+        <translation>30 Sekunden</translation>
+    </message>
+    <message>
+        <source>2 minutes</source>
+        <translation>2 Minuten</translation>
+    </message>
+    <message>
+        <source>10 minutes</source>
+        <translation>10 Minuten</translation>
+    </message>
+    <message>
+        <source>1 hour</source>
+        <translation>1 Stunde</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>All tags</source>
+        <translation>Alle Tags</translation>
+    </message>
+    <message>
+        <source>All AGVs</source>
+        <translation>Alle AGVs</translation>
+    </message>
+    <message>
+        <source>Tag %1</source>
+        <translation>Tag %1</translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation>AGV %1</translation>
+    </message>
+    <message>
+        <source>Time since the start, s</source>
+        <translation>Zeit seit dem Start, s</translation>
+    </message>
+    <message>
+        <source>Share that is not larger, %</source>
+        <translation>Anteil, der nicht größer ist, %</translation>
+    </message>
+    <message>
+        <source>Type where the AGV truly is, choose the AGV above, and press Use.</source>
+        <translation>Geben Sie ein, wo das AGV wirklich steht, wählen Sie oben das AGV und drücken Sie „Verwenden“.</translation>
+    </message>
+    <message>
+        <source>No position yet: calibrate an AGV.</source>
+        <translation>Noch keine Position: Kalibrieren Sie ein AGV.</translation>
+    </message>
+    <message>
+        <source>No UWB ranges yet: open the UWB unit and switch a tag on.</source>
+        <translation>Noch keine UWB-Abstände: Öffnen Sie die UWB-Einheit und schalten Sie einen Tag ein.</translation>
+    </message>
+    <message>
+        <source>Nothing yet: connect an AGV.</source>
+        <translation>Noch nichts: Verbinden Sie ein AGV.</translation>
+    </message>
+    <message>
+        <source>Statistics of the visible part of the curves.</source>
+        <translation>Statistik des sichtbaren Teils der Kurven.</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Export the plot</source>
+        <translation>Kurven exportieren</translation>
+    </message>
+    <message>
+        <source>Visible values (*.csv)</source>
+        <translation>Sichtbare Werte (*.csv)</translation>
+    </message>
+    <message>
+        <source>The plot was saved as %1</source>
+        <translation>Die Kurven wurden als %1 gespeichert</translation>
     </message>
 </context>
 <context>
@@ -3246,6 +3593,213 @@ x %3, y %4, Höhe %5</translation>
         <source>Nothing measured for the last %1 mm of its way: the pose is what the commanded speeds make of it</source>
         <translation>Auf den letzten %1 mm seines Wegs wurde nichts gemessen: Die Pose folgt nur aus den befohlenen Geschwindigkeiten</translation>
     </message>
+    <message>
+        <source>It was told to stop</source>
+        <translation>Es wurde angehalten</translation>
+    </message>
+    <message>
+        <source>It was told to %1</source>
+        <translation>Auftrag an das AGV: %1</translation>
+    </message>
+    <message>
+        <source>It does not drive: %1</source>
+        <translation>Es fährt nicht: %1</translation>
+    </message>
+    <message>
+        <source>It does not dock: %1</source>
+        <translation>Es dockt nicht an: %1</translation>
+    </message>
+    <message>
+        <source>It does not undock: %1</source>
+        <translation>Es dockt nicht ab: %1</translation>
+    </message>
+    <message>
+        <source>It does not dock to charge: %1</source>
+        <translation>Es dockt nicht zum Laden an: %1</translation>
+    </message>
+    <message>
+        <source>Stopped: %1</source>
+        <translation>Angehalten: %1</translation>
+    </message>
+    <message>
+        <source>Driving by hand ended: %1</source>
+        <translation>Ende der Handfahrt: %1</translation>
+    </message>
+    <message>
+        <source>Driven by hand, with the keys</source>
+        <translation>Handfahrt mit den Tasten</translation>
+    </message>
+    <message>
+        <source>Driven by hand, with the pad</source>
+        <translation>Handfahrt mit dem Fahrfeld</translation>
+    </message>
+    <message>
+        <source>Stop was pressed</source>
+        <translation>„Anhalten“ wurde gedrückt</translation>
+    </message>
+    <message>
+        <source>dock</source>
+        <translation>andocken</translation>
+    </message>
+    <message>
+        <source>undock</source>
+        <translation>abdocken</translation>
+    </message>
+    <message>
+        <source>dock to charge</source>
+        <translation>zum Laden andocken</translation>
+    </message>
+    <message>
+        <source>the operator let go</source>
+        <translation>der Bediener hat losgelassen</translation>
+    </message>
+    <message>
+        <source>the keyboard went elsewhere</source>
+        <translation>die Tastatur gehört jetzt einem anderen Feld oder Fenster</translation>
+    </message>
+    <message>
+        <source>the drive pad is no longer to be seen</source>
+        <translation>das Fahrfeld ist nicht mehr zu sehen</translation>
+    </message>
+    <message>
+        <source>a dialog opened over the window</source>
+        <translation>ein Dialog liegt über dem Fenster</translation>
+    </message>
+    <message>
+        <source>another AGV was chosen</source>
+        <translation>ein anderes AGV wurde gewählt</translation>
+    </message>
+    <message>
+        <source>the keys cancelled each other</source>
+        <translation>die Tasten hoben einander auf</translation>
+    </message>
+    <message>
+        <source>the window did not react for a moment</source>
+        <translation>das Fenster hat einen Moment nicht reagiert</translation>
+    </message>
+    <message>
+        <source>the screen was locked</source>
+        <translation>der Bildschirm wurde gesperrt</translation>
+    </message>
+    <message>
+        <source>this computer or this program was put to sleep</source>
+        <translation>dieser Rechner oder dieses Programm wurde schlafen gelegt</translation>
+    </message>
+    <message>
+        <source>no word came from the operator&apos;s hand for 250 ms</source>
+        <translation>250 ms lang kam keine Meldung von der Hand des Bedieners</translation>
+    </message>
+    <message>
+        <source>the robot did not confirm a command for 250 ms: check its Wi-Fi</source>
+        <translation>der Roboter hat 250 ms lang keinen Befehl bestätigt: sein WLAN prüfen</translation>
+    </message>
+    <message>
+        <source>the link to the robot was lost</source>
+        <translation>die Verbindung zum Roboter ging verloren</translation>
+    </message>
+    <message>
+        <source>the robot docks or undocks by itself: wait, or press Stop</source>
+        <translation>der Roboter dockt gerade selbst an oder ab: warten oder „Anhalten“ drücken</translation>
+    </message>
+    <message>
+        <source>Stop all was pressed: look that the way is free, then release it</source>
+        <translation>„Alle anhalten“ wurde gedrückt: prüfen, ob der Weg frei ist, dann freigeben</translation>
+    </message>
+    <message>
+        <source>it is driven from elsewhere: mouse and keys do not drive together</source>
+        <translation>es wird schon gefahren: Maus und Tasten fahren nicht zusammen</translation>
+    </message>
+    <message>
+        <source>it is driven by hand: let go first</source>
+        <translation>es wird von Hand gefahren: zuerst loslassen</translation>
+    </message>
+    <message>
+        <source>the speed is zero</source>
+        <translation>die Geschwindigkeit ist null</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::PlotFeed</name>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>Positionsfehler</translation>
+    </message>
+    <message>
+        <source>Heading error</source>
+        <translation>Richtungsfehler</translation>
+    </message>
+    <message>
+        <source>Position uncertainty, 95 %</source>
+        <translation>Unsicherheit der Position, 95 %</translation>
+    </message>
+    <message>
+        <source>UWB ranges</source>
+        <translation>UWB-Abstände</translation>
+    </message>
+    <message>
+        <source>UWB residuals</source>
+        <translation>UWB-Abweichungen</translation>
+    </message>
+    <message>
+        <source>RSSI of floor tags</source>
+        <translation>RSSI der Bodentags</translation>
+    </message>
+    <message>
+        <source>Wheel speeds</source>
+        <translation>Radgeschwindigkeiten</translation>
+    </message>
+    <message>
+        <source>Battery charge</source>
+        <translation>Ladung der Batterie</translation>
+    </message>
+    <message>
+        <source>Battery voltage</source>
+        <translation>Spannung der Batterie</translation>
+    </message>
+    <message>
+        <source>Message rates</source>
+        <translation>Meldungsraten</translation>
+    </message>
+    <message>
+        <source>Age of the last message</source>
+        <translation>Alter der letzten Meldung</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Tag %1, anchor %2</source>
+        <translation>Tag %1, Anker %2</translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation>AGV %1</translation>
+    </message>
+    <message>
+        <source>AGV %1 left</source>
+        <translation>AGV %1 links</translation>
+    </message>
+    <message>
+        <source>AGV %1 right</source>
+        <translation>AGV %1 rechts</translation>
+    </message>
+    <message>
+        <source>AGV %1 RFID</source>
+        <translation>AGV %1 RFID</translation>
+    </message>
+    <message>
+        <source>AGV %1 robot</source>
+        <translation>AGV %1 Roboter</translation>
+    </message>
 </context>
 <context>
     <name>agv::model::RangeCalibrationModel</name>
@@ -3459,6 +4013,69 @@ x %3, y %4, Höhe %5</translation>
     <message>
         <source>Make room: %1 or more.</source>
         <translation>Schaffen Sie Platz: %1 oder mehr.</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::StatisticsTableModel</name>
+    <message>
+        <source>Of the magnitudes: of a position error the circular errors CE50, CE75, CE95</source>
+        <translation>Der Beträge: eines Positionsfehlers die Kreisfehler CE50, CE75, CE95</translation>
+    </message>
+    <message>
+        <source>Of an error: the bias</source>
+        <translation>Eines Fehlers: die mittlere Abweichung</translation>
+    </message>
+    <message>
+        <source>Share of the time with a value not older than 1 s</source>
+        <translation>Anteil der Zeit mit einem Wert, der nicht älter als 1 s ist</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>At the cursor</source>
+        <translation>Am Zeiger</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>Std. dev.</source>
+        <translation>Std.-Abw.</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>50 %</source>
+        <translation>50 %</translation>
+    </message>
+    <message>
+        <source>75 %</source>
+        <translation>75 %</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Größter</translation>
+    </message>
+    <message>
+        <source>Available</source>
+        <translation>Verfügbar</translation>
     </message>
 </context>
 <context>

@@ -211,6 +211,81 @@
     </message>
 </context>
 <context>
+    <name>JogPanel</name>
+    <message>
+        <source>AGV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The AGV to drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F&amp;ine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A fifth of the speed, to place the AGV exactly</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the faster wheel</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Speed of the faster wheel. Hands never drive faster than 250 mm/s, nor than the plant file allows this AGV.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop all was pressed. No AGV can be driven by hand until you release it. Look that the way is free.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Let hands drive again after Stop all, with a fresh press</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys: W A S D or the arrow keys, two at once for a curve; space stops this AGV. They work only while the pad has the keyboard (blue frame): click it or press Ctrl+J.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Dock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The AGV drives into its dock by itself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The AGV leaves its dock by itself, backwards</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Charge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The base of the AGV looks for its dock by itself, to charge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>If the Wi-Fi fails, an AGV may drive on with its last speed: keep the switch on the AGV in reach.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>LinksPanel</name>
     <message>
         <source>&amp;Open RFID</source>
@@ -763,6 +838,109 @@
         <source>Look at plant file, links, batteries, floor tags, anchors, sleeptimes and disk; moves nothing</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Drive by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Drive by hand</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show the drive pad and give it the keyboard</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>PlotPanel</name>
+    <message>
+        <source>S&amp;how</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What the curves are</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whose curves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How much time the plot shows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold the picture; the data go on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Follow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keep the newest values in sight</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;xport…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save the picture as PNG, SVG or PDF, or the visible values as CSV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Truly at</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>True x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>True y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>True heading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take this pose as the true one of the chosen AGV; its errors are counted from now on</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Take its pose</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fill in the pose of now, to see how it drifts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Over time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Statistics of the visible values</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>ResultCard</name>
@@ -1079,6 +1257,92 @@ accuracy, 95 %</source>
     <name>agv::gui::EventPanel</name>
     <message>
         <source>Nothing has happened yet. Connections, turns and errors are written here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::JogPad</name>
+    <message>
+        <source>Curve ahead to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ahead</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curve ahead to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn left on the spot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turn right on the spot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curve back to the left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curve back to the right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drive pad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hold W, A, S, D or an arrow key to drive while this pad has the keyboard; space stops this AGV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: drives as long as you hold it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop this AGV, whatever it does (space). Software stop, does not replace the emergency stop.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::JogPanel</name>
+    <message>
+        <source>It is driven already: mouse and keys do not drive together.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This window did not react for a moment, so the press was not sent. Press again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 drives: left wheel %2, right wheel %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1. Let go, then press again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 cannot be driven now: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ready. %1 drives as long as you hold an arrow.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1400,6 +1664,89 @@ x %3, y %4, height %5</source>
     </message>
     <message>
         <source>Plant files (*.json);;All files (*)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::PlotPanel</name>
+    <message>
+        <source>30 seconds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>2 minutes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10 minutes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>1 hour</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>All AGVs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time since the start, s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share that is not larger, %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type where the AGV truly is, choose the AGV above, and press Use.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No position yet: calibrate an AGV.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No UWB ranges yet: open the UWB unit and switch a tag on.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing yet: connect an AGV.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Statistics of the visible part of the curves.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export the plot</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Visible values (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plot was saved as %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3240,6 +3587,213 @@ x %3, y %4, height %5</source>
         <source>Nothing measured for the last %1 mm of its way: the pose is what the commanded speeds make of it</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>It was told to stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was told to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does not drive: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does not dock: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does not undock: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It does not dock to charge: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stopped: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Driving by hand ended: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Driven by hand, with the keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Driven by hand, with the pad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop was pressed</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>undock</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>dock to charge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the operator let go</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the keyboard went elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the drive pad is no longer to be seen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a dialog opened over the window</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>another AGV was chosen</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the keys cancelled each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the window did not react for a moment</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the screen was locked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>this computer or this program was put to sleep</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no word came from the operator&apos;s hand for 250 ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot did not confirm a command for 250 ms: check its Wi-Fi</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the link to the robot was lost</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the robot docks or undocks by itself: wait, or press Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop all was pressed: look that the way is free, then release it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is driven from elsewhere: mouse and keys do not drive together</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>it is driven by hand: let go first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the speed is zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::PlotFeed</name>
+    <message>
+        <source>Position</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heading</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heading error</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Position uncertainty, 95 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB ranges</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UWB residuals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RSSI of floor tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Wheel speeds</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Battery charge</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Battery voltage</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Message rates</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Age of the last message</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tag %1, anchor %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1 left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1 right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1 RFID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1 robot</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>agv::model::RangeCalibrationModel</name>
@@ -3452,6 +4006,69 @@ x %3, y %4, height %5</source>
     </message>
     <message>
         <source>Make room: %1 or more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::StatisticsTableModel</name>
+    <message>
+        <source>Of the magnitudes: of a position error the circular errors CE50, CE75, CE95</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Of an error: the bias</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Share of the time with a value not older than 1 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the cursor</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Std. dev.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Median</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>50 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>75 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Available</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -57,7 +57,7 @@ PlotPanel::PlotPanel(QWidget* parent) : QWidget(parent), m_ui(std::make_unique<U
     connect(m_ui->followButton, &QToolButton::toggled, this, &PlotPanel::redraw);
     connect(m_ui->pauseButton, &QToolButton::toggled, this, &PlotPanel::redraw);
     connect(m_ui->exportButton, &QToolButton::clicked, this, &PlotPanel::askForFile);
-    connect(m_ui->tabs, &QTabWidget::currentChanged, this, &PlotPanel::redraw);
+    connect(m_ui->plotTabs, &QTabWidget::currentChanged, this, &PlotPanel::redraw);
     connect(m_ui->setReferenceButton, &QPushButton::clicked, this, &PlotPanel::useReference);
     connect(m_ui->takePoseButton, &QPushButton::clicked, this, &PlotPanel::takePose);
     connect(m_ui->timePlot, &CurvePlot::xRangeChosen, this, &PlotPanel::onRangeChosen);
@@ -264,7 +264,7 @@ void PlotPanel::updateStatistics()
 
 void PlotPanel::drawDistribution()
 {
-    if (m_ui->tabs->currentWidget() != m_ui->distributionTab)
+    if (m_ui->plotTabs->currentWidget() != m_ui->distributionTab)
         return;
     const double from = m_ui->timePlot->xFrom();
     const double to = m_ui->timePlot->xTo();
@@ -363,7 +363,7 @@ void PlotPanel::exportTo(const QString& path)
         saved = writeTextFile(QFile::encodeName(path).toStdString(),
                               plotCsv(m_feed, m_keys, m_ui->timePlot->xFrom(), m_ui->timePlot->xTo()));
     } else {
-        const CurvePlot* plot = m_ui->tabs->currentWidget() == m_ui->timeTab ? m_ui->timePlot : m_ui->cdfPlot;
+        const CurvePlot* plot = m_ui->plotTabs->currentWidget() == m_ui->timeTab ? m_ui->timePlot : m_ui->cdfPlot;
         saved = savePicture(path, plot->size(),
                             [plot](QPainter& painter) { plot->paint(painter, plot->size()); });
     }

@@ -84,11 +84,10 @@ private slots:
     {
         const DeadPipe pipe;
         QProcess program;
-        program.setChildProcessModifier([&] {
-            ::signal(SIGPIPE, SIG_IGN); // as services and some shells do
-            ::dup2(pipe.end(), STDOUT_FILENO);
-        });
-        QCOMPARE(statusOf(program), 1);
+        program.setChildProcessModifier([&] { ::dup2(pipe.end(), STDOUT_FILENO); });
+        // As services do, and some shells; QProcess itself gives the signal its usual meaning again since
+        // Qt 6.6.
+        QCOMPARE(statusOf(program, {"/bin/sh", "-c", "trap '' PIPE; exec \"$0\" \"$@\""}), 1);
         const QByteArray errors = program.readAllStandardError();
         QVERIFY2(errors.contains("standard output: cannot be written: Broken pipe"), errors);
     }
@@ -100,10 +99,12 @@ private:
         for (const QString& command : commands)
             QTest::newRow(qPrintable(command)) << command.split(' ');
     }
-    static int statusOf(QProcess& program)
+    /// `starter`: what starts the command, with its own arguments first.
+    static int statusOf(QProcess& program, QStringList starter = {})
     {
         QFETCH(QStringList, arguments);
-        program.start(AGV_PROGRAM, arguments);
+        starter += QStringList(AGV_PROGRAM) + arguments;
+        program.start(starter.takeFirst(), starter);
         return program.waitForFinished(20'000) ? program.exitCode() : -1;
     }
 };
