@@ -891,7 +891,7 @@
     </message>
     <message>
         <source>E&amp;xport…</source>
-        <translation>E&amp;xportieren …</translation>
+        <translation>E&amp;xport …</translation>
     </message>
     <message>
         <source>Save the picture as PNG, SVG or PDF, or the visible values as CSV</source>
