@@ -2,7 +2,8 @@
 # and on Ubuntu 24.04.
 
 build_packages="g++ cmake ninja-build qt6-base-dev qt6-serialport-dev qt6-svg-dev libqcustomplot-dev libeigen3-dev
-    nlohmann-json3-dev libpugixml-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
+    nlohmann-json3-dev libpugixml-dev libsqlite3-dev zlib1g-dev
+    qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools
     libgl-dev qt6-qpa-plugins fonts-dejavu-core"
 test_packages="libgtest-dev xvfb" # xvfb: the window on a display of its own
 # Beyond ./test, for .ci/run: sanitizers and fuzzing need clang 19.
