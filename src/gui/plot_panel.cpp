@@ -48,6 +48,7 @@ PlotPanel::PlotPanel(QWidget* parent) : QWidget(parent), m_ui(std::make_unique<U
     setAttribute(Qt::WA_StyledBackground);
     fillGroups();
     fillSpans();
+    m_ui->cdfPlot->keepLegendSmall();
     m_ui->statisticsTable->setModel(&m_statistics);
     m_ui->statisticsTable->verticalHeader()->hide();
     m_ui->statisticsTable->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -363,7 +364,8 @@ void PlotPanel::exportTo(const QString& path)
         saved = writeTextFile(QFile::encodeName(path).toStdString(),
                               plotCsv(m_feed, m_keys, m_ui->timePlot->xFrom(), m_ui->timePlot->xTo()));
     } else {
-        const CurvePlot* plot = m_ui->plotTabs->currentWidget() == m_ui->timeTab ? m_ui->timePlot : m_ui->cdfPlot;
+        const CurvePlot* plot =
+            m_ui->plotTabs->currentWidget() == m_ui->timeTab ? m_ui->timePlot : m_ui->cdfPlot;
         saved = savePicture(path, plot->size(),
                             [plot](QPainter& painter) { plot->paint(painter, plot->size()); });
     }

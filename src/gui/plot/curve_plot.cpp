@@ -32,6 +32,7 @@ public:
     QLabel* hintLabel = nullptr;
     std::vector<QCPAbstractItem*> marks;
     std::vector<std::pair<double, QString>> markTexts;
+    qsizetype mostInLegend = 12;
     Theme theme = Theme::light();
 };
 
@@ -133,7 +134,7 @@ void CurvePlot::setCurves(const QStringList& names)
     }
     for (int i = 0; i < names.size(); ++i)
         d->plot->graph(i)->setName(names[i]);
-    d->plot->legend->setVisible(names.size() > 0);
+    d->plot->legend->setVisible(names.size() > 0 && names.size() <= d->mostInLegend);
     styleCurves();
 }
 
@@ -168,6 +169,12 @@ void CurvePlot::setMarks(const std::vector<std::pair<double, QString>>& marks)
         label->setFont(font());
         d->marks.insert(d->marks.end(), {line, label});
     }
+}
+
+void CurvePlot::keepLegendSmall()
+{
+    d->mostInLegend = 3;
+    d->plot->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignBottom | Qt::AlignRight);
 }
 
 void CurvePlot::setXRange(double from, double to)

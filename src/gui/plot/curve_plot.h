@@ -35,6 +35,9 @@ public:
     void setPoints(int curve, const std::vector<model::SeriesPoint>& points);
     /// Vertical lines with a word each: x, text.
     void setMarks(const std::vector<std::pair<double, QString>>& marks);
+    /// Lower right instead of upper left, and not with so many curves that it would hide them: for
+    /// distributions.
+    void keepLegendSmall();
     void setXRange(double from, double to);
     double xFrom() const;
     double xTo() const;
