@@ -86,7 +86,7 @@ void TimeSeries::envelope(double from, double to, std::size_t buckets, std::vect
     }
     std::size_t level = 0;
     std::size_t span = fanOut;
-    while (level + 1 < levelCount && count / span > buckets) {
+    while (level + 1 < levelCount && count / (span * fanOut) >= buckets) {
         span *= fanOut;
         ++level;
     }

@@ -15,7 +15,7 @@ struct SeriesPoint {
 };
 
 /// Values over time, for plots: bounded, and drawn at any zoom from a few points a pixel. Beside the points
-/// it keeps the places of the smallest and the largest of every 16, 256, 4096 ... of them, so that a picture
+/// it keeps the places of the smallest and the largest of every 4, 16, 64 ... of them, so that a picture
 /// of a million points costs what one of some thousand does and loses no peak.
 class TimeSeries {
 public:
@@ -40,8 +40,8 @@ public:
     void range(double from, double to, std::vector<SeriesPoint>& out) const;
 
 private:
-    static constexpr std::size_t fanOut = 16;
-    static constexpr std::size_t levelCount = 5;
+    static constexpr std::size_t fanOut = 4;
+    static constexpr std::size_t levelCount = 9;
     struct Extremes {
         std::uint32_t lowest = 0, highest = 0; ///< indexes into m_points
     };

@@ -6,11 +6,14 @@
 #include <QPainter>
 #include <QPolygonF>
 
+#include <algorithm>
+
 namespace agv::gui {
 namespace {
 
 constexpr double mapAnchorSize_px = 7.0;
 constexpr double crossSize_px = 5.0;
+constexpr std::ptrdiff_t mostLabels = 200; ///< more would cover each other; the details are under the pointer
 
 void paintUncertainty(QPainter& painter, const Viewport& viewport, const UwbTagSnapshot& tag,
                       const Theme& theme)
@@ -32,6 +35,8 @@ void paintMark(QPainter& painter, QPointF at, const QString& label, const Theme&
     painter.setPen(QPen(theme.estimate, 2.0));
     painter.drawLine(at - QPointF(crossSize_px, 0.0), at + QPointF(crossSize_px, 0.0));
     painter.drawLine(at - QPointF(0.0, crossSize_px), at + QPointF(0.0, crossSize_px));
+    if (label.isEmpty())
+        return;
     painter.setPen(theme.text);
     painter.drawText(at + QPointF(crossSize_px + 2.0, -crossSize_px), label);
 }
@@ -60,13 +65,19 @@ void paintUwbTags(QPainter& painter, const Viewport& viewport, const UwbSnapshot
 {
     painter.save();
     painter.setBrush(Qt::NoBrush);
+    const QRectF visible = viewport.visibleArea();
+    const auto isVisible = [&visible](const UwbTagSnapshot& tag) {
+        return tag.position && visible.contains(tag.position->x, tag.position->y);
+    };
+    const bool labelled = std::ranges::count_if(uwb.tags, isVisible) <= mostLabels;
     for (const UwbTagSnapshot& tag : uwb.tags) {
-        if (!tag.position)
+        if (!isVisible(tag))
             continue;
         if (withUncertainty)
             paintUncertainty(painter, viewport, tag, theme);
-        const QString label =
-            tag.label.empty() ? QStringLiteral("T%1").arg(tag.id) : QString::fromStdString(tag.label);
+        const QString label = !labelled           ? QString()
+                              : tag.label.empty() ? QStringLiteral("T%1").arg(tag.id)
+                                                  : QString::fromStdString(tag.label);
         paintMark(painter, viewport.toPixels(*tag.position), label, theme);
     }
     painter.restore();
