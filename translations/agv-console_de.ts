@@ -211,6 +211,53 @@
     </message>
 </context>
 <context>
+    <name>FloorTagPanel</name>
+    <message>
+        <source>Number, UID or AGV</source>
+        <translation>Nummer, UID oder AGV</translation>
+    </message>
+    <message>
+        <source>Filter of the floor tags</source>
+        <translation>Filter der Bodentags</translation>
+    </message>
+    <message>
+        <source>Show only tags whose number, UID or reader&apos;s AGV holds this text</source>
+        <translation>Nur Tags zeigen, deren Nummer, UID oder lesendes AGV diesen Text enthält</translation>
+    </message>
+    <message>
+        <source>State of the floor tags</source>
+        <translation>Zustand der Bodentags</translation>
+    </message>
+    <message>
+        <source>Show only tags in this state</source>
+        <translation>Nur Tags in diesem Zustand zeigen</translation>
+    </message>
+    <message>
+        <source>C&amp;olumns</source>
+        <translation>S&amp;palten</translation>
+    </message>
+    <message>
+        <source>Choose the columns; also by the right mouse button on the heads</source>
+        <translation>Die Spalten wählen; auch mit der rechten Maustaste auf den Köpfen</translation>
+    </message>
+    <message>
+        <source>Copy as CS&amp;V</source>
+        <translation>Als CS&amp;V kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the rows in sight, in their order</source>
+        <translation>Die sichtbaren Zeilen in ihrer Reihenfolge kopieren</translation>
+    </message>
+    <message>
+        <source>Floor tags</source>
+        <translation>Bodentags</translation>
+    </message>
+    <message>
+        <source>Double click or Enter shows the tag on the map</source>
+        <translation>Doppelklick oder Eingabe zeigt den Tag auf der Karte</translation>
+    </message>
+</context>
+<context>
     <name>JogPanel</name>
     <message>
         <source>AGV</source>
@@ -854,6 +901,10 @@
         <source>Show the drive pad and give it the keyboard</source>
         <translation>Das Fahrfeld zeigen und ihm die Tastatur geben</translation>
     </message>
+    <message>
+        <source>Floor tags</source>
+        <translation>Bodentags</translation>
+    </message>
 </context>
 <context>
     <name>PlotPanel</name>
@@ -1259,6 +1310,21 @@ Genauigkeit, 95 %</translation>
     <message>
         <source>Nothing has happened yet. Connections, turns and errors are written here.</source>
         <translation>Noch ist nichts geschehen. Verbindungen, Drehungen und Fehler erscheinen hier.</translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::FloorTagPanel</name>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>The plant file names no floor tags. Add a grid or a list of surveyed tags to it.</source>
+        <translation>Die Anlagendatei nennt keine Bodentags. Tragen Sie ein Raster oder eine Liste vermessener Tags ein.</translation>
+    </message>
+    <message>
+        <source>No floor tag fits the filter.</source>
+        <translation>Kein Bodentag passt zum Filter.</translation>
     </message>
 </context>
 <context>
@@ -2836,6 +2902,69 @@ x %3, y %4, Höhe %5</translation>
     <message>
         <source>%1 (%2 times, last at %3)</source>
         <translation>%1 (%2-mal, zuletzt um %3)</translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::FloorTagTableModel</name>
+    <message>
+        <source>Not read</source>
+        <translation>Nicht gelesen</translation>
+    </message>
+    <message>
+        <source>Read now</source>
+        <translation>Jetzt gelesen</translation>
+    </message>
+    <message>
+        <source>Read before</source>
+        <translation>Früher gelesen</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>Fehlt</translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation>Unbekannt</translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation>AGV %1</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>Short</source>
+        <translation>Kurz</translation>
+    </message>
+    <message>
+        <source>UID</source>
+        <translation>UID</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>Read by</source>
+        <translation>Gelesen von</translation>
+    </message>
+    <message>
+        <source>RSSI, steps</source>
+        <translation>RSSI, Stufen</translation>
+    </message>
+    <message>
+        <source>Last read</source>
+        <translation>Zuletzt gelesen</translation>
     </message>
 </context>
 <context>

@@ -211,6 +211,53 @@
     </message>
 </context>
 <context>
+    <name>FloorTagPanel</name>
+    <message>
+        <source>Number, UID or AGV</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Filter of the floor tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show only tags whose number, UID or reader&apos;s AGV holds this text</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State of the floor tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show only tags in this state</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>C&amp;olumns</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the columns; also by the right mouse button on the heads</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy as CS&amp;V</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy the rows in sight, in their order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Floor tags</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Double click or Enter shows the tag on the map</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>JogPanel</name>
     <message>
         <source>AGV</source>
@@ -854,6 +901,10 @@
         <source>Show the drive pad and give it the keyboard</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Floor tags</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PlotPanel</name>
@@ -1257,6 +1308,21 @@ accuracy, 95 %</source>
     <name>agv::gui::EventPanel</name>
     <message>
         <source>Nothing has happened yet. Connections, turns and errors are written here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::gui::FloorTagPanel</name>
+    <message>
+        <source>All</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The plant file names no floor tags. Add a grid or a list of surveyed tags to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No floor tag fits the filter.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2829,6 +2895,69 @@ x %3, y %4, height %5</source>
     </message>
     <message>
         <source>%1 (%2 times, last at %3)</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>agv::model::FloorTagTableModel</name>
+    <message>
+        <source>Not read</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read now</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read before</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Unknown</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>AGV %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Short</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>UID</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read by</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>RSSI, steps</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Last read</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

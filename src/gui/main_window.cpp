@@ -44,6 +44,7 @@ void MainWindow::showSnapshot(const PlantSnapshot& snapshot)
     d->alarms->showSnapshot(snapshot);
     d->ui.shift->showSnapshot(snapshot);
     d->ui.plots->showSnapshot(snapshot);
+    d->ui.floorTags->showSnapshot(snapshot);
     d->showStatus(snapshot);
     for (const EventEntry& line : d->shiftLog.linesFor(snapshot, QDateTime::currentMSecsSinceEpoch()))
         addEvent(line);

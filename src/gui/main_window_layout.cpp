@@ -12,7 +12,7 @@
 namespace agv::gui {
 namespace {
 
-constexpr int layoutVersion = 5; ///< raised when docks or tool bars come or change their names
+constexpr int layoutVersion = 6; ///< raised when docks or tool bars come or change their names
 
 } // namespace
 
@@ -30,6 +30,7 @@ void MainWindow::Private::focusNextPanel()
                                                     {ui.plots, field(ui.plots, "groupCombo")},
                                                     {ui.events, field(ui.events, "table")},
                                                     {ui.alarms, field(ui.alarms, "alarmTable")},
+                                                    {ui.floorTags, field(ui.floorTags, "floorTagTable")},
                                                     {ui.anchors, ui.anchors->table()},
                                                     {ui.uwbTags, ui.uwbTags->table()}};
     const QWidget* focus = QApplication::focusWidget();
@@ -51,8 +52,8 @@ void MainWindow::Private::focusNextPanel()
 
 QList<QDockWidget*> MainWindow::Private::docks() const
 {
-    return {ui.linksDock,  ui.calibrationDock, ui.shiftDock,   ui.jogDock, ui.plotsDock,
-            ui.eventsDock, ui.alarmsDock,      ui.anchorsDock, ui.tagsDock};
+    return {ui.linksDock,  ui.calibrationDock, ui.shiftDock,     ui.jogDock,     ui.plotsDock,
+            ui.eventsDock, ui.alarmsDock,      ui.floorTagsDock, ui.anchorsDock, ui.tagsDock};
 }
 
 void MainWindow::Private::resetLayout()
@@ -69,7 +70,8 @@ void MainWindow::Private::resetLayout()
     ui.calibrationDock->raise();
     q->addDockWidget(Qt::BottomDockWidgetArea, ui.eventsDock);
     q->tabifyDockWidget(ui.eventsDock, ui.alarmsDock);
-    q->tabifyDockWidget(ui.alarmsDock, ui.anchorsDock);
+    q->tabifyDockWidget(ui.alarmsDock, ui.floorTagsDock);
+    q->tabifyDockWidget(ui.floorTagsDock, ui.anchorsDock);
     q->tabifyDockWidget(ui.anchorsDock, ui.tagsDock);
     ui.eventsDock->raise();
     const int em = q->fontMetrics().horizontalAdvance(QLatin1Char('0'));

@@ -37,6 +37,7 @@ void MainWindow::Private::build(const PlantLayout& described)
     ui.map->setPlant(plant);
     ui.calibration->setPlant(plant);
     ui.shift->setPlant(plant);
+    ui.floorTags->setPlant(plant);
     ui.jog->setPlant(plant);
     uwb = std::make_unique<UwbScreens>(ui, q);
     uwb->setPlant(plant);
@@ -128,6 +129,7 @@ void MainWindow::Private::connectActions()
     };
     connect(mapControls, &MapControls::pictureSaved, q, logSaved);
     connect(ui.plots, &PlotPanel::exported, q, logSaved);
+    connect(ui.floorTags, &FloorTagPanel::placeChosen, map, &MapWidget::showPlace);
 
     connect(ui.nextPanelAction, &QAction::triggered, q, [this] { focusNextPanel(); });
     connect(ui.resetLayoutAction, &QAction::triggered, q, [this] { resetLayout(); });
@@ -236,6 +238,7 @@ void MainWindow::Private::applyTheme()
     ui.calibration->setTheme(theme);
     ui.shift->setTheme(theme);
     ui.plots->setTheme(theme);
+    ui.floorTags->setTheme(theme);
     ui.jog->setTheme(theme);
     ui.events->setTheme(theme);
     uwb->setTheme(theme);

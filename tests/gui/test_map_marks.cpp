@@ -2,7 +2,7 @@
 #include <QTest>
 
 #include "gui/map/accuracy_layer.h"
-#include "gui/map/floor_tag_marks.h"
+#include "gui/map/floor_tag_painter.h"
 #include "gui/map/map_widget.h"
 #include "gui/map/measure_line.h"
 #include "gui/map/minimap.h"
@@ -153,28 +153,28 @@ void MapMarksTest::tagsAreMarkedAsSeenMissingOrUnknown()
 {
     const std::vector<FloorTag> tags = scenes::wholePlant().floorTags;
     const TagUid stranger{0x1234};
-    FloorTagMarks marks;
+    model::FloorTagStates marks;
     marks.add(turned({tags[3].uid}, {tags[4].uid}, {stranger}));
-    QCOMPARE(marks.stateOf(tags[3].uid), FloorTagMarks::State::SeenBefore);
-    QCOMPARE(marks.stateOf(tags[4].uid), FloorTagMarks::State::Missing);
-    QCOMPARE(marks.stateOf(tags[5].uid), FloorTagMarks::State::NotSeen);
+    QCOMPARE(marks.stateOf(tags[3].uid), model::FloorTagState::SeenBefore);
+    QCOMPARE(marks.stateOf(tags[4].uid), model::FloorTagState::Missing);
+    QCOMPARE(marks.stateOf(tags[5].uid), model::FloorTagState::NotSeen);
     QCOMPARE(marks.unknown().size(), std::size_t{1});
     QCOMPARE(marks.unknown()[0].uid, stranger);
     QCOMPARE(marks.unknown()[0].antenna, (Point2{1.0, 1.0}));
     marks.clear();
-    QCOMPARE(marks.stateOf(tags[3].uid), FloorTagMarks::State::NotSeen);
+    QCOMPARE(marks.stateOf(tags[3].uid), model::FloorTagState::NotSeen);
 }
 
 void MapMarksTest::aTagMissedAtOneStopAndReadLaterIsNotMissing()
 {
     const std::vector<FloorTag> tags = scenes::wholePlant().floorTags;
-    FloorTagMarks marks;
+    model::FloorTagStates marks;
     PlantSnapshot snapshot = turned({}, {tags[4].uid}, {});
     marks.add(snapshot);
-    QCOMPARE(marks.stateOf(tags[4].uid), FloorTagMarks::State::Missing);
+    QCOMPARE(marks.stateOf(tags[4].uid), model::FloorTagState::Missing);
     snapshot.agvs[1].recentReads.emplace_back().uid = tags[4].uid;
     marks.add(snapshot);
-    QCOMPARE(marks.stateOf(tags[4].uid), FloorTagMarks::State::SeenBefore);
+    QCOMPARE(marks.stateOf(tags[4].uid), model::FloorTagState::SeenNow);
 }
 
 void MapMarksTest::everyMarkLooksDifferent()
@@ -185,12 +185,12 @@ void MapMarksTest::everyMarkLooksDifferent()
     viewport.setCentre(tags[4].position);
     viewport.setScale(300.0);
     const auto picture = [&](const PlantSnapshot& snapshot) {
-        FloorTagMarks marks;
+        model::FloorTagStates marks;
         marks.add(snapshot);
         QImage image(100, 100, QImage::Format_RGB32);
         image.fill(Qt::white);
         QPainter painter(&image);
-        marks.paint(painter, viewport, {tags[4]}, 0.01, Theme::light());
+        paintFloorTagMarks(painter, viewport, marks, {tags[4]}, 0.01, Theme::light());
         return image.convertToFormat(QImage::Format_Mono); // shape, not colour
     };
     const QImage nothing = picture(turned({}, {}, {}));

@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The AGVs on the map: where they are drawn, and how.
-#include "gui/map/map_agvs.h"
-
 #include "gui/map/agv_painter.h"
 #include "gui/map/map_widget.h"
 #include "gui/map/turn_painter.h"
 
 #include <QPainter>
 
-#include <cmath>
-
 namespace agv::gui {
+
+using model::shownEstimate;
+
 namespace {
-
-/// An AGV that was moved by more no longer stands where its turn was.
-constexpr double stands_m = 0.02;
-constexpr double stands = 0.1; ///< rad
-
-bool standsThere(const AgvSnapshot& agv, const Pose2& pose)
-{
-    return !agv.pose || (distance(agv.pose->position, pose.position) < stands_m &&
-                         std::abs(wrapAngle(agv.pose->heading - pose.heading)) < stands);
-}
 
 PoseCertainty certaintyOf(const AgvSnapshot& agv, bool isPreview)
 {
@@ -31,15 +20,6 @@ PoseCertainty certaintyOf(const AgvSnapshot& agv, bool isPreview)
 }
 
 } // namespace
-
-const TurnEstimate* shownEstimate(const AgvSnapshot& agv)
-{
-    const TurnEstimate* result = agv.turn.result.get();
-    const TurnEstimate* estimate = result ? result : agv.turn.preview.get();
-    if (!estimate || !estimate->valid || (result && !standsThere(agv, result->pose)))
-        return nullptr;
-    return estimate;
-}
 
 std::optional<Pose2> MapWidget::drawnPose(int robot) const
 {

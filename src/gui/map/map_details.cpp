@@ -3,7 +3,6 @@
 #include "gui/map/map_widget.h"
 
 #include "gui/map/accuracy_layer.h"
-#include "gui/map/map_agvs.h"
 #include "model/messages.h"
 #include "model/uncertainty.h"
 #include "model/words.h"
@@ -74,7 +73,7 @@ QString MapWidget::agvDetails(const AgvSnapshot& agv) const
 QString MapWidget::stopDetails(QPointF pixel) const
 {
     for (const AgvSnapshot& agv : m_snapshot.agvs) {
-        const TurnEstimate* estimate = shownEstimate(agv);
+        const TurnEstimate* estimate = model::shownEstimate(agv);
         if (!estimate)
             continue;
         for (std::size_t i = 0; i < estimate->stops.size(); ++i) {
@@ -121,14 +120,16 @@ QString MapWidget::tagDetails(QPointF pixel) const
                           .arg(QString::fromStdString(shortText(tag->uid)),
                                QString::fromStdString(fullText(tag->uid)),
                                Words::millimetres(tag->position.x), Words::millimetres(tag->position.y))};
-    switch (m_marks.stateOf(tag->uid)) {
-    case FloorTagMarks::State::NotSeen:
-        break;
-    case FloorTagMarks::State::SeenBefore:
+    switch (m_tagStates.stateOf(tag->uid)) {
+    case model::FloorTagState::SeenNow:
+    case model::FloorTagState::SeenBefore:
         lines << tr("Seen in this session");
         break;
-    case FloorTagMarks::State::Missing:
+    case model::FloorTagState::Missing:
         lines << tr("Missing: a turn should have read it and did not");
+        break;
+    case model::FloorTagState::NotSeen:
+    case model::FloorTagState::Unknown:
         break;
     }
     return lines.join(QLatin1Char('\n'));
@@ -136,7 +137,7 @@ QString MapWidget::tagDetails(QPointF pixel) const
 
 QString MapWidget::unknownTagDetails(QPointF pixel) const
 {
-    for (const FloorTagMarks::Unknown& unknown : m_marks.unknown()) {
+    for (const model::FloorTagStates::Unknown& unknown : m_tagStates.unknown()) {
         if (pixelsApart(m_viewport.toPixels(unknown.antenna), pixel) <= reach_px)
             return tr("Unknown floor tag %1 was read here; the plant file does not name it")
                 .arg(QString::fromStdString(fullText(unknown.uid)));

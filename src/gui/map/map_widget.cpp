@@ -2,7 +2,7 @@
 #include "gui/map/map_widget.h"
 
 #include "gui/map/accuracy_layer.h"
-#include "gui/map/map_agvs.h"
+#include "gui/map/floor_tag_painter.h"
 #include "gui/map/range_painter.h"
 #include "gui/map/station_painter.h"
 #include "gui/map/trail_painter.h"
@@ -40,7 +40,7 @@ void MapWidget::setPlant(const PlantLayout& plant)
     m_tags = tagMapOf(m_plant);
     m_static.setPlant(&m_plant);
     m_trails.clear();
-    m_marks.clear();
+    m_tagStates.clear();
     m_measured.reset();
     m_clickedTag.reset();
     fit();
@@ -76,7 +76,7 @@ void MapWidget::showSnapshot(const PlantSnapshot& snapshot)
 {
     m_snapshot = snapshot;
     m_trails.add(snapshot);
-    m_marks.add(snapshot);
+    m_tagStates.add(snapshot);
     follow();
     update();
 }
@@ -138,6 +138,13 @@ void MapWidget::centreOn(Point2 place)
     setFollowing(false);
     m_viewport.setCentre(place);
     userMoved();
+}
+
+void MapWidget::showPlace(Point2 place)
+{
+    constexpr double readableScale = 600.0; // px/m: the short ids stand beside the tags
+    m_viewport.setScale(std::max(m_viewport.scale(), readableScale));
+    centreOn(place);
 }
 
 void MapWidget::setFollowing(bool following)
@@ -204,7 +211,7 @@ void MapWidget::paintMoving(QPainter& painter) const
     // Small AGVs are symbols and must stay readable; large ones are see-through drawings.
     const bool large = m_viewport.scale() > 360.0;
     if (layers().floorTags)
-        m_marks.paint(painter, m_viewport, m_plant.floorTags, m_plant.tagRadius_m, m_theme);
+        paintFloorTagMarks(painter, m_viewport, m_tagStates, m_plant.floorTags, m_plant.tagRadius_m, m_theme);
     if (layers().trails)
         paintTrails(painter, m_viewport, m_snapshot, m_trails, m_theme);
     if (layers().stations)
@@ -215,7 +222,7 @@ void MapWidget::paintMoving(QPainter& painter) const
     if (large)
         paintReads(painter);
     for (const AgvSnapshot& agv : m_snapshot.agvs) {
-        if (const TurnEstimate* estimate = shownEstimate(agv))
+        if (const TurnEstimate* estimate = model::shownEstimate(agv))
             paintStops(painter, m_viewport, *estimate, m_theme);
     }
     if (const UwbTagSnapshot* tag = layers().ranges ? shownUwbTag() : nullptr)

@@ -5,7 +5,6 @@
 
 #include "core/plant_layout.h"
 #include "core/snapshot.h"
-#include "gui/map/floor_tag_marks.h"
 #include "gui/map/map_layers.h"
 #include "gui/map/measure_line.h"
 #include "gui/map/minimap.h"
@@ -13,6 +12,7 @@
 #include "gui/map/trails.h"
 #include "gui/map/viewport.h"
 #include "gui/theme.h"
+#include "model/floor_tag_states.h"
 
 namespace agv::gui {
 
@@ -59,7 +59,6 @@ public:
     Point2 snapped(QPointF pixel) const;
     /// The UWB tag whose ranges are shown: the one clicked last, else the one on the chosen AGV; null: none.
     const UwbTagSnapshot* shownUwbTag() const;
-    const FloorTagMarks& floorTagMarks() const { return m_marks; }
 
     /// Details of what lies under `pixel`: floor tag, AGV, stop, UWB tag or anchor, station; empty when
     /// nothing does.
@@ -77,6 +76,8 @@ public slots:
     void zoomOut();
     void zoomToSelected();
     void centreOn(agv::Point2 place);
+    /// Centred, and large enough to tell a floor tag from its neighbours.
+    void showPlace(agv::Point2 place);
     void setFollowing(bool following);
 
 signals:
@@ -136,7 +137,7 @@ private:
     TagMap m_tags;
     PlantSnapshot m_snapshot;
     Trails m_trails;
-    FloorTagMarks m_marks;
+    model::FloorTagStates m_tagStates;
     Minimap m_minimap;
     StaticLayer m_static;
     Viewport m_viewport;
