@@ -88,8 +88,9 @@ FloorTagPanel::FloorTagPanel(QWidget* parent)
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
     table->verticalHeader()->hide();
     table->horizontalHeader()->setStretchLastSection(true);
-    const char* const samples[] = {"Number 00", "Short 0", "E004015000000000W", "-000,000 mm", "-000,000 mm",
-                                   "Frueher gelesen", "Gelesen von", "RSSI, Stufen", "00 min"};
+    const char* const samples[] = {"Number 00",   "Short 0",      "E004015000000000W",
+                                   "-000,000 mm", "-000,000 mm",  "Frueher gelesen",
+                                   "Gelesen von", "RSSI, Stufen", "00 min"};
     for (int column = 0; column < FloorTagTableModel::ColumnCount; ++column)
         table->setColumnWidth(column, fontMetrics().horizontalAdvance(QLatin1String(samples[column])) + 22);
     table->horizontalHeader()->setContextMenuPolicy(Qt::CustomContextMenu);

@@ -139,7 +139,7 @@ Result<std::filesystem::path> makeRunFolder(const std::filesystem::path& parent,
     if (error)
         return noFolder(parent, error);
     for (int number = 1; number <= mostOfOneSecond; ++number) {
-        const auto folder = parent / (number == 1 ? name : name + "-" + std::to_string(number));
+        auto folder = parent / (number == 1 ? name : name + "-" + std::to_string(number));
         if (std::filesystem::create_directory(folder, error))
             return folder;
         if (error)

@@ -123,8 +123,8 @@ Result<void> RunWriter::append(const RunBatch& batch)
     if (result)
         result = m_database.execute("COMMIT");
     // What the failure was is said by then; there may be nothing left to roll back.
-    if (!result)
-        static_cast<void>(m_database.execute("ROLLBACK"));
+    if (!result) [[maybe_unused]]
+        const Result<void> undone = m_database.execute("ROLLBACK");
     return result;
 }
 
@@ -239,17 +239,17 @@ Result<void> RunWriter::forget(Time before)
     Result<void> result = checkStillThere();
     if (result)
         result = m_database.execute(sql + "COMMIT");
-    if (!result)
-        static_cast<void>(m_database.execute("ROLLBACK"));
+    if (!result) [[maybe_unused]]
+        const Result<void> undone = m_database.execute("ROLLBACK");
     return result;
 }
 
-Result<std::filesystem::path> RunWriter::keep(const std::filesystem::path& runs, RunInfo info,
+Result<std::filesystem::path> RunWriter::keep(const std::filesystem::path& runs, const RunInfo& info,
                                               const PlantLayout& plant, Time since) const
 {
     const Time first = std::max(since, m_start.time);
     const Duration later = first - m_start.time;
-    ClockPair start{first, m_start.utc_us + microseconds(later)};
+    const ClockPair start{first, m_start.utc_us + microseconds(later)};
     Result<RunWriter> copy = create(runs, info, plant, start);
     if (!copy)
         return std::unexpected(copy.error());
@@ -283,8 +283,12 @@ Result<void> RunWriter::copyFrom(const RunWriter& source)
         std::string columns = "t_ns - " + shift;
         for (const RunColumn& column : table.columns)
             columns += std::string(", ") + column.name;
-        sql += std::string("INSERT INTO ") + table.name + " SELECT " + columns + " FROM source." +
-               table.name + " WHERE t_ns >= " + shift + " ORDER BY rowid;";
+        sql.append("INSERT INTO ").append(table.name).append(" SELECT ").append(columns);
+        sql.append(" FROM source.")
+            .append(table.name)
+            .append(" WHERE t_ns >= ")
+            .append(shift)
+            .append(" ORDER BY rowid;");
     }
     return m_database.execute(sql + "COMMIT; DETACH source;");
 }

@@ -32,7 +32,7 @@ public:
     /// Forgets what happened before `time`; the file does not grow while as much is forgotten as is added.
     Result<void> forget(Time before);
     /// Copies what happened since `since` into a new run beside it.
-    Result<std::filesystem::path> keep(const std::filesystem::path& runs, RunInfo info,
+    Result<std::filesystem::path> keep(const std::filesystem::path& runs, const RunInfo& info,
                                        const PlantLayout& plant, Time since) const;
     /// The end goes into run.json, and everything into one file. What was recorded stays when this fails.
     Result<void> finish(std::int64_t ended_utc_ms);
