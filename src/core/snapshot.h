@@ -5,6 +5,7 @@
 #include "core/jog.h"
 #include "core/link_snapshot.h"
 #include "core/plant_layout.h"
+#include "core/recording_snapshot.h"
 #include "core/robot_status.h"
 #include "core/tracked_pose.h"
 #include "core/turn.h"
@@ -69,7 +70,8 @@ struct AgvSnapshot {
 struct PlantSnapshot {
     Time time;
     std::vector<AgvSnapshot> agvs;
-    std::optional<UwbSnapshot> uwb;        ///< empty: the plant has no UWB anchors
+    std::optional<UwbSnapshot> uwb; ///< empty: the plant has no UWB anchors
+    RecordingSnapshot recording;
     std::vector<std::string> refusedPeers; ///< addresses that tried to connect and are not in the plant file
     std::string listening;                 ///< "127.0.0.1:2001 (TCP), 2000 (UDP)" or why not
     std::vector<AlarmSnapshot> alarms;     ///< by weight, then the newest first

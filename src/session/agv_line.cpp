@@ -41,6 +41,7 @@ void AgvLine::wireReader()
     connect(m_reader, &ReaderLink::tagRead, this, [this](const TagRead& read) {
         m_turn->onTagRead(read);
         m_tracker.read(read);
+        emit tagRead(read);
         emit changed();
     });
     connect(m_reader, &ReaderLink::bytesReceived, this, &AgvLine::bytesReceived);

@@ -61,6 +61,7 @@ public:
 signals:
     void changed();
     void bytesReceived(const agv::link::Chunk& chunk);
+    void tagRead(const agv::TagRead& read);
     void turnPhaseChanged(agv::TurnPhase phase, int stop, agv::Time time);
     void turnRefused(const QString& reason);
     void turnEnded(const agv::TurnSnapshot& turn, std::shared_ptr<const agv::TurnRecord> record);

@@ -145,6 +145,7 @@ bool RobotLink::send(const protocol::RobotCommand& command)
                            static_cast<qsizetype>(bytes->size()));
     if (!m_server.send(m_robot, frame, stops(command) ? link::Urgency::Urgent : link::Urgency::Ordinary))
         return false;
+    emit bytesSent({frame, monotonicNow()});
     if (const auto* drive = std::get_if<protocol::DirectDrive>(&command)) {
         noteSpeeds(drive->speeds);
         if (m_commanded != WheelSpeeds{})
@@ -219,6 +220,7 @@ void RobotLink::take(const protocol::RobotReport& report, Time now)
     m_rate.add(now);
     if (const auto* sensors = std::get_if<protocol::SensorUpdate>(&report)) {
         m_battery = sensors->battery;
+        emit batteryReported(sensors->battery);
     } else if (const auto* update = std::get_if<protocol::StateUpdate>(&report)) {
         const std::optional<RobotState> before = std::exchange(m_state, update->state);
         if (!isDriving(update->state))

@@ -60,6 +60,9 @@ signals:
     /// The wheels were told other speeds, or reached the end of a segment.
     void speedsChanged(const agv::WheelSpeeds& speeds);
     void message(agv::EventLevel level, const QString& text);
+    void batteryReported(const agv::BatteryStatus& battery);
+    /// Every byte that was sent, for recordings.
+    void bytesSent(const agv::link::Chunk& chunk);
 
 private:
     void take(const protocol::RobotReport& report, Time now);

@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session/session.h"
 
-#include "estimation/uwb/anchor_survey.h"
-#include "link/robot_server.h"
-#include "link/stranger_watch.h"
-#include "link/telemetry_socket.h"
-#include "session/agv_line.h"
 #include "session/alarm_desk.h"
-#include "session/event_log.h"
 #include "session/jog_desk.h"
 #include "session/robot_link.h"
-#include "session/uwb_line.h"
-#include "session/wall_clock.h"
+#include "session/session_private.h"
 
-#include <QTimer>
-
-#include <algorithm>
-#include <map>
 #include <utility>
 
 namespace agv::session {
@@ -29,48 +18,13 @@ constexpr std::chrono::seconds listenAgainAfter(2); ///< whoever holds the port 
 
 } // namespace
 
-class Session::Private {
-public:
-    Private(Session& owner, PlantLayout layout, SessionOptions sessionOptions);
-
-    void addLine(const AgvConfig& config);
-    void wireServer();
-    void addUwb();
-    void listen();
-    void listenFailed(const std::string& trouble);
-    void refuse(const QString& address, const char* what);
-    void publish();
-    AgvLine* line(int robot);
-    void log(EventLevel level, const std::string& text)
-    {
-        events.add(level, "Console", text, monotonicNow());
-    }
-
-    Session& q;
-    PlantLayout plant;
-    SessionOptions options;
-    EventLog events;
-    link::RobotServer* server;
-    link::TelemetrySocket* telemetry;
-    AlarmDesk* alarms;
-    QTimer* frameTimer;
-    QTimer* listenTimer;
-    link::StrangerWatch telemetryStrangers;
-    UwbLine* uwb = nullptr;   ///< null without anchors; owned (QObject child of the session)
-    bool isUwbWanted = false; ///< open, or to be opened with the first anchors
-    JogDesk* jogDesk;
-    std::map<int, AgvLine*> lines; ///< owned (QObject children of the session)
-    std::vector<std::string> refusedPeers;
-    std::string listening = "Not listening yet";
-    bool changed = true;
-    Time published;
-};
-
 Session::Private::Private(Session& owner, PlantLayout layout, SessionOptions sessionOptions)
     : q(owner),
       plant(std::move(layout)),
       options(std::move(sessionOptions)),
-      events([this](const EventEntry& entry) { emit q.eventLogged(entry); }),
+      events([this](const EventEntry& entry) { logEvent(entry); }),
+      recorder(new RunRecorder(options.recording, events, &owner)),
+      tee(new RunTee(*recorder, &owner)),
       server(new link::RobotServer(plant.agvs, options.guard, &owner)),
       telemetry(new link::TelemetrySocket(&owner)),
       alarms(new AlarmDesk(&owner)),
@@ -78,6 +32,8 @@ Session::Private::Private(Session& owner, PlantLayout layout, SessionOptions ses
       listenTimer(new QTimer(&owner)),
       jogDesk(new JogDesk(&owner))
 {
+    tee->watch(*server, *telemetry);
+    QObject::connect(recorder, &RunRecorder::changed, &owner, [this] { changed = true; });
     for (const AgvConfig& agv : plant.agvs)
         addLine(agv);
     addUwb();
@@ -94,6 +50,13 @@ Session::Private::Private(Session& owner, PlantLayout layout, SessionOptions ses
     QObject::connect(listenTimer, &QTimer::timeout, &owner, [this] { listen(); });
 }
 
+void Session::Private::logEvent(const EventEntry& entry)
+{
+    if (tee)
+        tee->event(entry);
+    emit q.eventLogged(entry);
+}
+
 void Session::Private::addLine(const AgvConfig& config)
 {
     const int robot = config.id.number;
@@ -101,6 +64,7 @@ void Session::Private::addLine(const AgvConfig& config)
                             options.method, events, &q);
     lines.emplace(robot, agv);
     jogDesk->add(robot, *agv);
+    tee->watch(robot, *agv);
     QObject::connect(agv, &AgvLine::changed, &q, [this] { changed = true; });
     QObject::connect(agv, &AgvLine::bytesReceived, &q, [this, robot](const link::Chunk& chunk) {
         emit q.readerBytes(robot, chunk.bytes, chunk.time);
@@ -123,6 +87,7 @@ void Session::Private::addUwb()
     if (plant.anchors.empty())
         return;
     uwb = new UwbLine(plant, options.uwb, events, &q);
+    tee->watch(*uwb);
     QObject::connect(uwb, &UwbLine::changed, &q, [this] { changed = true; });
     QObject::connect(&uwb->link(), &UwbLink::carriedTagMeasured, &q,
                      [this](RobotId agv, const UwbTagTrack& track, Point2 mount) {
@@ -234,6 +199,8 @@ void Session::Private::publish()
     if (uwb)
         snapshot.uwb = uwb->link().snapshot(published);
     alarms->addTo(snapshot);
+    snapshot.recording = recorder->snapshot(published);
+    tee->snapshot(snapshot);
     emit q.snapshotReady(snapshot);
 }
 
@@ -261,136 +228,20 @@ Session::~Session()
     d->lines.clear();
     delete d->uwb;
     delete d->server;
+    delete std::exchange(d->tee, nullptr);
+    delete d->recorder; // waits until the run is on the disk
 }
 
 JogDesk* Session::jogDesk() const { return d->jogDesk; }
 
 void Session::start()
 {
+    d->recorder->begin(d->plant, d->options.simulated, d->options.solverSeed, d->options.method);
     d->listen();
     d->frameTimer->start();
     d->publish();
 }
 
 AlarmDesk& Session::alarms() { return *d->alarms; }
-
-void Session::openReader(int robot)
-{
-    if (AgvLine* line = d->line(robot))
-        line->openReader();
-}
-
-void Session::closeReader(int robot)
-{
-    if (AgvLine* line = d->line(robot))
-        line->closeReader();
-}
-
-void Session::setReaderEndpoint(int robot, const QString& host, quint16 port)
-{
-    if (AgvLine* line = d->line(robot))
-        line->setReaderEndpoint({host.toStdString(), port});
-}
-
-void Session::openUwb()
-{
-    d->isUwbWanted = true;
-    if (d->uwb)
-        d->uwb->link().open();
-}
-
-void Session::closeUwb()
-{
-    d->isUwbWanted = false;
-    if (d->uwb)
-        d->uwb->link().close();
-}
-
-void Session::setUwbPort(const SerialPortChoice& port)
-{
-    if (d->uwb)
-        d->uwb->link().setPort(port);
-}
-
-void Session::surveyAnchors()
-{
-    emit anchorsSurveyed(d->uwb ? d->uwb->link().surveyAnchors(monotonicNow())
-                                : estimation::surveyAnchors({}, {}));
-}
-
-void Session::askUwb()
-{
-    if (d->uwb)
-        d->uwb->link().ask();
-}
-
-void Session::setUwb(const std::vector<UwbAnchor>& anchors, const UwbSettings& settings)
-{
-    d->plant.anchors = anchors;
-    d->plant.uwb = settings;
-    d->changed = true;
-    if (anchors.empty()) {
-        delete std::exchange(d->uwb, nullptr);
-    } else if (d->uwb) {
-        d->uwb->link().setLayout(anchors, settings);
-    } else {
-        d->addUwb();
-        if (d->isUwbWanted)
-            d->uwb->link().open();
-    }
-}
-
-void Session::startRangeCalibration(int tag, double x, double y, double z, double seconds)
-{
-    if (d->uwb)
-        d->uwb->link().startRangeCalibration(tag, {x, y, z}, seconds);
-    d->changed = true;
-}
-
-void Session::cancelRangeCalibration()
-{
-    if (d->uwb)
-        d->uwb->link().cancelRangeCalibration();
-    d->changed = true;
-}
-
-void Session::startTurn(int robot, const TurnParameters& parameters)
-{
-    if (AgvLine* line = d->line(robot))
-        line->startTurn(parameters);
-}
-
-void Session::abortTurn(int robot, const QString& reason)
-{
-    if (AgvLine* line = d->line(robot))
-        line->abortTurn(reason.toStdString());
-}
-
-void Session::retakeStop(int robot, int stop)
-{
-    if (AgvLine* line = d->line(robot))
-        line->retakeStop(stop);
-}
-
-void Session::setTurnTime(int robot, double seconds)
-{
-    if (AgvLine* line = d->line(robot))
-        line->setTurnTime(seconds);
-}
-
-void Session::setTurnSpeed(int robot, double metresPerSecond)
-{
-    if (AgvLine* line = d->line(robot))
-        line->setTurnSpeed(metresPerSecond);
-}
-
-void Session::warn(const QString& text) { d->log(EventLevel::Warning, text.toStdString()); }
-
-void Session::stopAll(const QString& reason)
-{
-    d->log(EventLevel::Warning, "All AGVs were told to stop: " + reason.toStdString());
-    for (const auto& [robot, line] : d->lines)
-        line->stopAll(reason.toStdString());
-}
 
 } // namespace agv::session

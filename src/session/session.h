@@ -11,6 +11,7 @@
 #include "core/turn.h"
 #include "link/connection_guard.h"
 #include "procedure/range_calibration.h"
+#include "session/run_recorder.h"
 #include "session/uwb_link.h"
 
 #include <memory>
@@ -27,6 +28,7 @@ struct SessionOptions {
     SolveMethod method = SolveMethod::Auto;
     link::ConnectionGuard* guard = nullptr; ///< of the robots' connections; may be null, outlives the session
     UwbLinkParameters uwb = {};
+    RecordingOptions recording = {};
 };
 
 /// The straight line from bytes to snapshots for a whole plant: links, decoders, procedures, solvers. Lives
@@ -78,6 +80,11 @@ public slots:
     void setTurnSpeed(int robot, double metresPerSecond); ///< their wheel speed
     /// Zero speed to every robot, every procedure aborted; several times. Never refused.
     void stopAll(const QString& reason);
+    // Recording. What becomes of it is in PlantSnapshot::recording and in the event log; trouble with the
+    // disk stops the recording and nothing else.
+    void startRun(const QString& note = {}); ///< nothing happens while one runs
+    void stopRun();
+    void keepRecent(); ///< the last ten minutes, as a run of their own
     /// Into the event log, as the console's own.
     void warn(const QString& text);
 

@@ -154,6 +154,7 @@ void UwbLink::takeReport(const protocol::TrekReport& report)
     m_anchorStatistics.add(tag.track.shown());
     if (ranges.empty())
         return;
+    emit tagMeasured(ranges, tag.track, report.firstByte);
     watchAnchors(report.tag, tag.track);
     if (const UwbTag& carried = tag.track.tag(); carried.agv)
         emit carriedTagMeasured(*carried.agv, tag.track, carried.mount);
@@ -201,8 +202,11 @@ UwbTag UwbLink::settingsOf(int id) const
 void UwbLink::carryOut(procedure::UwbHandshakeAction action)
 {
     using procedure::UwbHandshake;
-    if (action == procedure::UwbHandshakeAction::SendRequest)
-        m_link->write(QByteArray(UwbHandshake::request.data(), UwbHandshake::request.size()));
+    if (action != procedure::UwbHandshakeAction::SendRequest)
+        return;
+    const QByteArray request(UwbHandshake::request.data(), UwbHandshake::request.size());
+    if (m_link->write(request))
+        emit bytesSent({request, monotonicNow()});
 }
 
 void UwbLink::carryOut(procedure::LinkAction action)

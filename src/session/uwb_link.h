@@ -70,6 +70,11 @@ signals:
     void anchorDoubted(int anchor, const QString& warning);
     /// `track` has new ranges of a tag that `agv` carries at `mount` (vehicle frame, m).
     void carriedTagMeasured(agv::RobotId agv, const agv::session::UwbTagTrack& track, agv::Point2 mount);
+    /// A report with ranges, and the track with what it made of them.
+    void tagMeasured(const agv::protocol::RangeSet& ranges, const agv::session::UwbTagTrack& track,
+                     agv::Time arrival);
+    /// Every byte that was sent, for recordings.
+    void bytesSent(const agv::link::Chunk& chunk);
     void unitKnown(const QString& version, const QString& configuration);
 
 private:

@@ -130,6 +130,19 @@ void UwbTagTrack::follow(double time_s)
         stop();
 }
 
+std::optional<Point2> UwbTagTrack::position() const
+{
+    if (!m_filter.started())
+        return std::nullopt;
+    return Point2{m_filter.state().x(), m_filter.state().y()};
+}
+
+PositionCovariance UwbTagTrack::covariance() const
+{
+    const auto& covariance = m_filter.covariance();
+    return {covariance(0, 0), covariance(0, 1), covariance(1, 1)};
+}
+
 UwbTagSnapshot UwbTagTrack::snapshot(double now_s) const
 {
     UwbTagSnapshot tag;

@@ -47,6 +47,9 @@ public:
     estimation::AnchorRanges corrected() const { return {m_ranges.data(), m_ranges.size()}; }
     double height_m() const { return m_tag.z_m; }
     const UwbTag& tag() const { return m_tag; }
+    /// Where the tag was when the last ranges were measured; empty without a position.
+    std::optional<Point2> position() const;
+    PositionCovariance covariance() const;             ///< of position()
     double measured_s() const { return m_measured_s; } ///< of the last ranges
 
 private:

@@ -18,4 +18,12 @@ inline std::int64_t utcNow_ms()
         .count();
 }
 
+/// The same in microseconds.
+inline std::int64_t utcNow_us()
+{
+    using std::chrono::duration_cast;
+    return duration_cast<std::chrono::microseconds>(std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
+
 } // namespace agv::session

@@ -163,10 +163,11 @@ TurnParameters ScriptedPlant::quickTurn(TurnKind kind)
     return parameters;
 }
 
-ScriptedPlant::ScriptedPlant(SolveMethod method)
+ScriptedPlant::ScriptedPlant(SolveMethod method, RecordingOptions recording)
 {
     SessionOptions options;
     options.method = method;
+    options.recording = std::move(recording);
     session = std::make_unique<Session>(layout(reader.port()), options);
     QObject::connect(session.get(), &Session::listening, [this](quint16 tcp, quint16 udp) {
         port = tcp;

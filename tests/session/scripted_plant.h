@@ -83,7 +83,7 @@ private:
 /// A session with one AGV, its reader and its robot, all in this thread.
 class ScriptedPlant {
 public:
-    explicit ScriptedPlant(SolveMethod method = SolveMethod::Fast);
+    explicit ScriptedPlant(SolveMethod method = SolveMethod::Fast, RecordingOptions recording = {});
     ~ScriptedPlant();
 
     /// Everything connected and reads flowing; false after a time-out.

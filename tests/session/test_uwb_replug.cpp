@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "session/kit_on_port.h"
+#include "session/read_back.h"
 #include "session/session.h"
 
 namespace agv::session {
@@ -10,10 +12,10 @@ namespace agv::session {
 class UwbReplugTest : public QObject {
     Q_OBJECT
 private slots:
-    void positionsComeBackEachOfAHundredTimesThatTheUnitIsUnpluggedAndPluggedIn();
+    void positionsComeBackEachOfAHundredTimesThatTheUnitIsUnpluggedAndPluggedInAndNoRowIsLost();
 };
 
-void UwbReplugTest::positionsComeBackEachOfAHundredTimesThatTheUnitIsUnpluggedAndPluggedIn()
+void UwbReplugTest::positionsComeBackEachOfAHundredTimesThatTheUnitIsUnpluggedAndPluggedInAndNoRowIsLost()
 {
     PlantLayout plant = plantWithUwb();
     plant.robotListen = {"127.0.0.1", 0};
@@ -22,18 +24,24 @@ void UwbReplugTest::positionsComeBackEachOfAHundredTimesThatTheUnitIsUnpluggedAn
     QVERIFY(kit.port != nullptr);
     SessionOptions options;
     options.uwb = kit.parameters();
-    Session session(plant, options);
+    const QTemporaryDir runs;
+    options.recording.runs = runs.path().toStdString();
+    auto owned = std::make_unique<Session>(plant, options);
+    Session& session = *owned;
     UwbSnapshot last;
-    std::uint64_t bytes = 0;
+    RecordingSnapshot recording;
+    std::string bytes;
     int losses = 0;
-    connect(&session, &Session::snapshotReady, this,
-            [&](const PlantSnapshot& snapshot) { last = *snapshot.uwb; });
-    connect(&session, &Session::uwbBytes, this,
-            [&](const QByteArray& more) { bytes += static_cast<std::uint64_t>(more.size()); });
+    connect(&session, &Session::snapshotReady, this, [&](const PlantSnapshot& snapshot) {
+        last = *snapshot.uwb;
+        recording = snapshot.recording;
+    });
+    connect(&session, &Session::uwbBytes, this, [&](const QByteArray& more) { bytes += more.toStdString(); });
     connect(&session, &Session::eventLogged, this, [&](const EventEntry& event) {
         losses += event.source == "UWB" && event.text.find("was unplugged") != std::string::npos ? 1 : 0;
     });
     session.start();
+    session.startRun();
     session.openUwb();
 
     std::uint64_t heardBefore = 0;
@@ -55,7 +63,17 @@ void UwbReplugTest::positionsComeBackEachOfAHundredTimesThatTheUnitIsUnpluggedAn
     }
     QCOMPARE(losses, 100);
     QCOMPARE(last.link.dropped, std::uint64_t{0});
-    QVERIFY(bytes > 0);
+    QVERIFY(!bytes.empty());
+
+    QCOMPARE(recording.state, RecordingState::Recording);
+    const std::uint64_t reports = last.tags[0].reports + last.tags[1].reports;
+    owned.reset(); // ends the run
+    auto run = recording::RunReader::open(recording.folder);
+    QVERIFY2(run, run ? "" : run.error().detail.c_str());
+    QVERIFY(recordedBytes(*run, "uwb") == bytes);
+    // A report has the ranges to four anchors. What came behind the last snapshot is recorded as well.
+    const std::uint64_t ranges = recordedRows(*run, "ranges");
+    QVERIFY2(ranges >= 4 * reports && ranges <= 4 * reports + 40, qPrintable(QString::number(ranges)));
 }
 
 } // namespace agv::session
